@@ -20,8 +20,8 @@
 namespace Foam
 {
 
-// Kinetic energy above which a particle moves, of that of a fall by a diameter:
-// a speed of 0.014 sqrt(g d)
+// Kinetic energy above which a particle moves, over the energy of a fall by a
+// diameter: a speed of 0.014 sqrt(g d)
 static const scalar restless = 1e-4;
 
 // Longest time of settling, in falls by the height of the mesh

@@ -8,8 +8,8 @@
  *   k    conductivity of the particle     [W/(m K)]
  *   R    radius of the smallest particle: equal ones meet; of the Sauter mean in the fluid    [m]
  *
- * 2 pi k R is the conductance of a half sphere, V and A volume and surface. H and B are those of the
- * effects themselves, at an overlap of 1 % of the diameter, and at the slip of the regime.
+ * 2 pi k R is the conductance of a half sphere, V and A volume and surface. The effects
+ * themselves give H, at an overlap of 1 % of the diameter, and B, at the slip of the regime.
  *
  * Source: Incropera and DeWitt, Fundamentals of Heat and Mass Transfer, section 5.1; contacts:
  * Vargas and McCarthy, AIChE J. 47 (2001) 1052.

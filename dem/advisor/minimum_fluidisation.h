@@ -13,8 +13,8 @@
  *                               the drag itself causes (set II, "model A")
  *   rho_p V |g|                 if it does not
  *
- * and U_mf = e u. The void fraction is that of the bed as it is (bed_packing.h), or where it is not
- * known, or too large for particles that touch, that of Wen and Yu for spheres, 1/e^3 = 14.
+ * and U_mf = e u. The void fraction is measured in the bed as it is (bed_packing.h); where it is not
+ * known, or too large for particles that touch, it is Wen and Yu's for spheres, 1/e^3 = 14.
  *
  * A fluidised bed expands until the same balance holds at the superficial velocity U of the fluid.
  * Measured beds of spheres in liquids, without wall effect (Re_t = rho_f u_t d/mu):

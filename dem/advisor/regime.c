@@ -2,11 +2,11 @@
  * regime.c -- dimensionless numbers of a scene, and their text in a plan.
  *
  *   density ratio: rho_p/rho_f
- *   solid fraction phi: volume of particles over that of the domain, if it is closed by walls,
+ *   solid fraction phi: volume of particles over volume of the domain, if it is closed by walls,
  *       periodic boundaries or a mesh
  *   mass loading: phi rho_p/((1 - phi) rho_f)
- *   Reynolds number: rho_f u d/mu; u is the terminal velocity with the drag law of the scene (that
- *       of a single sphere if it has none), or the fluid velocity, if given and larger
+ *   Reynolds number: rho_f u d/mu; u is the terminal velocity with the drag law of the scene (of
+ *       a single sphere if it has none), or the fluid velocity, if given and larger
  *   relaxation time: m/b at that slip, rho_p d^2/(18 mu f), f = 1 + 0.15 Re^0.687, above Re = 1000
  *       0.44 Re/24 (Schiller and Naumann 1933)
  *   Stokes number of particles in the flow: relaxation time over L/u_f, L the smallest width of the

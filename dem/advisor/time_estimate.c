@@ -2,8 +2,8 @@
  * time_estimate.c -- estimate memory by counting, processor time by timing a sample.
  *
  * The block (sample_block.h), as large as the part of the scene that a rank has, up to 250000
- * spheres, runs for 0.1 s of processor time or 20 steps. Its walls and the communication between
- * ranks are not those of the scene: the estimate is good to a factor of 2.
+ * spheres, runs for 0.1 s of processor time or 20 steps. It has other walls and communication
+ * between ranks than the scene: the estimate is good to a factor of 2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -34,7 +34,7 @@ struct dem_step_cost    /* s of processor time for one particle of a dense bed *
     int64_t particles;                                    /* in the block that was run */
 };
 
-/* Collective: each rank runs its own block; the result is that of the slowest rank. The
+/* Collective: each rank runs its own block; the result is the time of the slowest rank. The
    simulation is not changed. Returns DEM_OK or an error. */
 int dem_step_cost_measure(const struct dem_state *, const struct dem_inventory *, double dt,
                           struct dem_step_cost *);

@@ -1,6 +1,6 @@
 /*
- * warnings.h -- what of a scene is likely to be a mistake, or cannot work, told before the first
- * step: one numbered list, each item with the entry to change.
+ * warnings.h -- list likely mistakes in the scene before the first step: one numbered list, each item
+ * with the entry to change.
  *
  *   no contact law       walls, and no normal law acts between them and particles
  *   driven               driven particles and walls, between which there is no force
@@ -10,8 +10,8 @@
  *   Biot number          above 0.1 (biot.c)
  *   stiffness            youngsModulus above 1e10 Pa and more than 1e6 steps ahead
  *   fluid step           of more than 1e4 DEM steps: with its time
- *   fluid step           in which a particle crosses more than half of run.resolution: by its own speed,
- *                        that of a stream, or what fluid and gravity give to it in the step
+ *   fluid step           in which a particle crosses more than half of run.resolution: at its own
+ *                        speed, a stream's, or the speed that fluid and gravity give it in the step
  *   impact speed         particles, streams, a wall (along its normal) or a fluid with drag faster
  *                        than impactSpeed, where the overlap of such an impact is above 5 % of a
  *                        diameter; above 20 % also slower ones

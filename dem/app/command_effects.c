@@ -1,5 +1,5 @@
 /*
- * effects.c -- `dem effects`: list the effects with their settings.
+ * command_effects.c -- `dem effects`: list the effects with their settings.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

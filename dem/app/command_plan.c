@@ -1,5 +1,5 @@
 /*
- * plan.c -- `dem plan SCENE`: read and check a scene as `dem run` does, and print the plan.
+ * command_plan.c -- `dem plan SCENE`: read and check a scene as `dem run` does, and print the plan.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

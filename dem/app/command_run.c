@@ -1,6 +1,6 @@
 /*
- * run.c -- `dem run SCENE`: advance from output to output, print the progress, write VTK files,
- * tables and snapshots.
+ * command_run.c -- `dem run SCENE`: advance from output to output, print the progress, write VTK
+ * files, tables and snapshots.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

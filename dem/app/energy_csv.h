@@ -2,7 +2,7 @@
  * energy_csv.h -- the energy balance in `dem run`: energy.csv, a row at each time, and the largest
  * residual at the end.
  *
- * A row holds the time, the time at which the balance began (0, or that of the restart), and its
+ * A row holds the time, the time at which the balance began (0, or the restart's), and its
  * terms [J], which docs/energy-balance.md describes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

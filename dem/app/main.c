@@ -2,8 +2,7 @@
  * main.c -- the program `dem`: run a scene, plan one, measure its cost, list the effects, print the
  * hash of a snapshot.
  *
- * Only the files of app/ print. Each command is in a file of its own (run.c, plan.c, cost.c,
- * effects.c) with its -help.
+ * Only the files of app/ print. Each command is in a file of its own, command_*.c, with its -help.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

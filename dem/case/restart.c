@@ -172,7 +172,7 @@ static int tell(struct comparison *c, const struct dem_scene_line *was,
                         change == DEM_LINE_NEW ? "new" : "gone", becomes);
 }
 
-/* A section as a whole is not told of, but its entries are. */
+/* A section as a whole is not reported, but its entries are. */
 static int is_section(const struct dem_scene_line *l)
 {
     return !memchr(l->path, '/', l->length);

@@ -1,8 +1,8 @@
 /*
- * restart.h -- a restart with a scene that differs from that of the snapshot. What the snapshot
+ * restart.h -- a restart with a scene that differs from the snapshot's. What the snapshot
  * holds wins; every difference is a sentence, which dem_warnings lists.
  *
- *   groups of insert    new ones are inserted at the restart; those of the snapshot are not again
+ *   groups of insert    new ones are inserted at the restart; the snapshot's are not inserted again
  *   walls               go on from where they stood, with the motion of the scene from then on
  *   periodic axes       a change is refused: contacts cross their faces
  *   all else            applies from then on

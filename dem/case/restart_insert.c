@@ -1,7 +1,7 @@
 /*
  * restart_insert.c -- insert groups that the snapshot of a restart does not know.
  *
- * They are placed as at a start, with the particles of the snapshot as those of an earlier group, and
+ * They are placed as at a start, with the particles of the snapshot as an earlier group, and
  * take the next free ids. Contacts of other particles and forces stay as loaded: a new particle
  * touches nothing, or is refused with time/maxStartOverlap.
  *

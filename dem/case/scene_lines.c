@@ -55,7 +55,7 @@ int dem_scene_lines_split(const char *text, struct dem_scene_lines *all)
     return DEM_OK;
 }
 
-/* The number at the begin of a value, and what follows. */
+/* The number at the beginning of a value, and what follows. */
 static int take_number(const char **at, const char *end, double *number)
 {
     char word[64], *rest;

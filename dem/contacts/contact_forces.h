@@ -9,8 +9,8 @@
  * their own behind the ring. Rows of walls have slots of their own, too. The ring is used where at most
  * one row in eight is deferred.
  *
- * So after a step only rows of walls have their forces. `all_rows` keeps those of all rows after an
- * observed step. A step is observed if something reads the state after it: the end of a window, a
+ * So after a step only rows of walls have their forces. `all_rows` keeps the forces of all rows after
+ * an observed step. A step is observed if something reads the state after it: the end of a window, a
  * sample, a backup, the energy balance.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -132,11 +132,11 @@ size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int r
 int dem_contact_forces_assign_slots(struct dem_contact_forces *, struct dem_contact_rows *,
                                     const struct dem_pair_list *, size_t n);
 
-/* Energies and rates of `capacity` rows, those of the first n zero. */
+/* Energies and rates of `capacity` rows, zero for the first n. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);
 void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these */
 
-/* Forces and moments, to be written by a sweep; those of entries without a row are zero. While history
+/* Forces and moments, to be written by a sweep; entries without a row have zeros. While history
    is saved there are neither rows nor contact forces: this keeps the peak of memory low. */
 int dem_contact_forces_allocate(struct dem_contact_forces *, const struct dem_contact_rows *);
 void dem_contact_forces_release(struct dem_contact_forces *);

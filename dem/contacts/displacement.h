@@ -4,8 +4,8 @@
  *
  *   d_i = x_i(now) - x_i(list)      c: any vector that all ranks agree on      s = max |d_i - c|
  *
- * The gap of two particles shrinks by at most 2 s, that of a particle and a wall by at most s + |w
- * - c|, w being the displacement of the wall (normal to it). A list that holds all pairs up to a
+ * The gap of two particles shrinks by at most 2 s, the gap of a particle and a wall by at most s +
+ * |w - c|, w being the displacement of the wall (normal to it). A list that holds all pairs up to a
  * skin is valid until one of these exceeds the skin. The middle between the largest and the
  * smallest d_i along each axis makes s nearly as small as possible: zero for a bed that moves as a
  * whole, half the displacement when one particle flies and the others rest. Along an axis on which

@@ -20,7 +20,7 @@ const char *dem_did_you_mean_nearest(const char *word, const char *const *known,
 int dem_did_you_mean_error(const char *what, const char *word, const char *const *known, int n);
 
 /* The same, with the words that other codes use for each known word: aliases[i], separated by
-   blanks, or NULL. `aliases` NULL: those of core/aliases.h only. */
+   blanks, or NULL. `aliases` NULL: only core/aliases.h. */
 int dem_did_you_mean_alias_error(const char *what, const char *word, const char *const *known,
                                  const char *const *aliases, int n);
 

@@ -3,8 +3,8 @@
  * run, locked by the kernel as long as the process lives.
  *
  * A run that was killed leaves the file but not the kernel's lock, so the next run takes it over. On a
- * file system without locks the process is looked for instead, on the same host. The functions are
- * those of dem.h.
+ * file system without locks the process is looked for instead, on the same host. dem.h describes
+ * the functions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

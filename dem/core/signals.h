@@ -1,8 +1,8 @@
 /*
  * signals.h -- signals that ask a run to save its state and to end: SIGTERM, which batch systems
  * and mpirun send before they kill; SIGUSR1; SIGINT (Ctrl-C), of which a second one ends the
- * program at once. A file asks the same of a run that no signal reaches. The functions are those of
- * dem.h.
+ * program at once. A file asks the same of a run that no signal reaches. dem.h describes the
+ * functions.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -31,10 +31,10 @@
  * MPI: with MPI_COMM_NULL no MPI call is made. Otherwise the library works on its own duplicate of
  * the communicator, on which it sets MPI_ERRORS_RETURN: an error of a call on it is returned as
  * DEM_ERROR_MPI, with MPI's text, and not handled by the error handler of the caller's
- * communicator. Not covered are MPI_Comm_dup in dem_create, which uses the handler of the caller's
- * communicator, calls that belong to no communicator (data types, MPI_Get_count), which use that of
- * MPI_COMM_WORLD or MPI_COMM_SELF, and what MPI or the batch system ends by itself, such as all
- * ranks when one is killed. After DEM_ERROR_MPI the ranks may be out of step: call nothing but
+ * communicator. There are three exceptions: MPI_Comm_dup in dem_create uses the handler of the
+ * caller's communicator; calls that belong to no communicator (data types, MPI_Get_count) use the
+ * handler of MPI_COMM_WORLD or MPI_COMM_SELF; MPI or the batch system may end the program, for
+ * example when a rank is killed. After DEM_ERROR_MPI the ranks may be out of step: call nothing but
  * dem_error_text and dem_free, end the program, and restart from the last snapshot. A rank may then
  * wait for another one that has returned; MPI_Abort ends both.
  *
@@ -55,8 +55,8 @@ extern "C" {
 #endif
 
 /* The version, in its one place: the build, the packages and dem_version read it here. The first
-   number, which is that of the shared library's name too, changes when a struct or a function of
-   this header changes. */
+   number, also in the name of the shared library, changes when a struct or a function of this
+   header changes. */
 #define DEM_VERSION "0.1.0"
 
 struct dem;
@@ -130,7 +130,7 @@ int dem_wall_move(struct dem *, const char *name, int64_t n, const double *trian
 int dem_insert_region(struct dem *, const char *name, int zone, int64_t n,
                       const double *triangles);
 
-/* Add particles to those of the scene. Every rank gives the same list. */
+/* Add particles besides the scene's own. Every rank gives the same list. */
 int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *);
 
 /* ---- check and set-up ------------------------------------------------------------------------ */
@@ -176,7 +176,7 @@ int dem_verdicts(const struct dem *, const struct dem_verdict **);
 
 /* After dem_check. The comment at the head of result files: "effects: " and the names of all active
    effects, in the order of their stages. dem_effect_names: the names only;
-   dem_fluid_effect_names: those of fluid effects. Valid until dem_free. */
+   dem_fluid_effect_names: of fluid effects only. Valid until dem_free. */
 const char *dem_heading(const struct dem *);
 const char *dem_effect_names(const struct dem *);
 const char *dem_fluid_effect_names(const struct dem *);
@@ -223,7 +223,7 @@ int dem_advance(struct dem *, double duration);
 void dem_set_stop_flag(struct dem *, const volatile sig_atomic_t *asked);
 int dem_stopped(const struct dem *);
 
-/* Catch SIGTERM, SIGUSR1 and SIGINT from now on, but for those of `except` (NULL with 0 of them).
+/* Catch SIGTERM, SIGUSR1 and SIGINT from now on, except the signals in `except` (NULL for none).
    Returns where the number of the last one is stored, 0 before the first. A second SIGINT ends the
    program. */
 const volatile sig_atomic_t *dem_catch_signals(const int *except, int exceptions);
@@ -445,7 +445,7 @@ int dem_needs_fluid(const struct dem *);
 int dem_fluid(struct dem *, struct dem_fluid *);
 
 /* yes: drag is the law's b over the void fraction, the whole force of a steady uniform flow,
-   which contains that of its pressure gradient (set III of Zhou, Kuang, Chu, Yu, J. Fluid Mech.
+   which contains the force of its pressure gradient (set III of Zhou, Kuang, Chu, Yu, J. Fluid Mech.
    661 (2010) 482, "simplified model B"); the pressure gradient column must then be the
    hydrostatic one. no: the law's own b. Holds until the next call; not saved in snapshots. */
 void dem_fluid_whole_drag(struct dem *, int yes);
@@ -575,7 +575,7 @@ int dem_table_add_losses(const struct dem_table *, const struct dem *, int64_t n
 int dem_table_add_bonds(const struct dem_table *, const struct dem *, int64_t n,
                         const struct dem_broken_bond *, double offset);
 
-/* Collective. Set the sums to those of now [s], without rows. */
+/* Collective. Set the sums to their values at the time `now` [s], without rows. */
 int dem_flow_sums_set(struct dem_flow_sums *, struct dem *, double now);
 
 /* Collective. Rows of flows.csv: a row for each stream and outlet with its rates since `last`,

@@ -2,9 +2,9 @@
  * dem_types.h -- public types of Suna's discrete element library: status codes, and the structs
  * that the functions of dem.h take and fill.
  *
- * The sections are those of dem.h, which says when a struct is filled and how long it is valid.
- * This header includes nothing of the library, so all of its layers may include it. Units are SI;
- * vectors are x, y, z; "1" marks a pure number.
+ * The sections are the same as in dem.h, which says when a struct is filled and how long it is
+ * valid. This header includes nothing of the library, so all of its folders may include it. Units
+ * are SI; vectors are x, y, z; "1" marks a pure number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -106,7 +106,7 @@ struct dem_verdict
 
 enum
 {
-    DEM_STOP_FILE = 1000    /* asked to stop by a file; other numbers are those of signals */
+    DEM_STOP_FILE = 1000    /* asked to stop by a file; other numbers are signals */
 };
 
 /* time step of a scene: dem_step_limit */

@@ -6,7 +6,7 @@
  * and the opposite acts on j. One row of a body batch is one particle. An effect reads the
  * geometry and adds to the results; it sees no particle index, no rank and no storage.
  *
- * "Filled by the caller" means step/contact_batch.c and step/body_batch.c.
+ * "Filled by the caller" means step/fill_batch.c and step/body_batch.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -171,8 +171,8 @@ const struct dem_effect *dem_interaction_table_fluid_user(const struct dem_inter
    fluid. */
 int dem_interaction_table_add_fluid_scalars(struct dem_interaction_table *, const char *where);
 
-/* The setting `viscosity` of an effect that reads the viscosity; 0 when it takes that of the fluid,
-   or reads none. */
+/* The setting `viscosity` of an effect that reads the viscosity; 0 when it takes the fluid's
+   viscosity, or reads none. */
 double dem_interaction_table_own_viscosity(const struct dem_interaction_table *,
                                            const struct dem_effect *);
 
@@ -180,7 +180,7 @@ double dem_interaction_table_own_viscosity(const struct dem_interaction_table *,
 int dem_interaction_table_use_parcels(struct dem_interaction_table *, double ratio,
                                       const char *where);
 
-/* Extend the range of ratios by that of a particle. */
+/* Extend the range of ratios by the ratio of a particle. */
 void dem_interaction_table_add_parcel(struct dem_interaction_table *, double ratio);
 
 /* The value of a scalar for particles without an own; not a number where there is none. */

@@ -4,7 +4,7 @@
  * 1. Give each effect its history columns; they are the same in all classes, so a contact row has
  *    one layout.
  * 2. For each pair of materials present, and each material with a wall: copy the settings, apply
- *    those of the pair, let each effect prepare itself. Frictionless walls have a class of their own
+ *    the pair's own, let each effect prepare itself. Frictionless walls have a class of their own
  *    without the effects along the wall and past touching.
  * 3. Collect the limit of the time step and the largest reach past touching.
  *

@@ -4,14 +4,14 @@
  *   D = l d,   n = l^3
  *
  *   l    ratio of a parcel, the particle scalar parcelRatio        [1]
- *   D    diameter of the parcel, that of the particle in the run   [m]
+ *   D    diameter of the parcel, which is the particle of the run  [m]
  *   d    diameter of the grain                                     [m]
  *   n    grains of a parcel; both have the same density and velocity [1]
  *
- * Contacts of parcels are similar to those of grains: lengths and times are l times, forces l^2 times
- * as large, speeds, stresses and overlap over diameter the same. On n grains the fluid acts n times as
- * on one. Each law states its rule in the member `parcels` of its descriptor; a law without a rule is
- * refused in a scene of parcels. docs/parcels.md derives the rules.
+ * Contacts of parcels are similar to contacts of grains: lengths and times are l times, forces l^2
+ * times as large; speeds, stresses and overlap over diameter are the same. On n grains the fluid
+ * acts n times as on one. Each law states its rule in the member `parcels` of its descriptor; a law
+ * without a rule is refused in a scene of parcels. docs/parcels.md derives the rules.
  *
  * Source: Bierwisch, Kraft, Riedel, Moseler, J. Mech. Phys. Solids 57 (2009) 10 (contacts); Sakai and
  * Koshizuka, Chem. Eng. Sci. 64 (2009) 533 (fluid).

@@ -41,11 +41,11 @@ struct dem_suspension    /* equal spheres in a uniform fluid */
 struct dem_regime                                         /* 0: unknown, unless noted otherwise */
 {
     int fluid;                                            /* 1: the scene has a fluid */
-    int uniform;                                          /* 1: that of the entry `fluid`, not coupled */
+    int uniform;                                          /* 1: from the entry `fluid`, not coupled */
     /* of equal spheres of the Sauter diameter */
     struct dem_suspension suspension;
     double particles;                                     /* 1    number */
-    /* 1  volume of particles over that of the domain */
+    /* 1  volume of particles over volume of the domain */
     double solid_fraction;
     double flow;                                          /* m/s  fluid velocity */
     /* m/s, 1, 1: slip, its Reynolds number, drag over Stokes drag */

@@ -2,7 +2,7 @@
  * row.h -- one row of the contact batch in registers, and the loop of a law over a batch.
  *
  * The arithmetic of a contact law is written once, on one row: dem_<law>_row(settings, row,
- * history). DEM_CONTACT_LOOP makes the law's own loop of it; effects/fused puts the rows of several
+ * history). DEM_CONTACT_LOOP makes the law's own loop of it; laws/fused puts the rows of several
  * laws into one loop. Columns that a law does not read cost nothing: the compiler drops the loads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

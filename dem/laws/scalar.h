@@ -1,11 +1,11 @@
 /*
- * scalar.h -- particle scalars: numbers per particle, besides those of the record, that effects
- * declare: temperature, volume of liquid, ...
+ * scalar.h -- particle scalars: numbers per particle, besides the record's, that effects declare:
+ * temperature, volume of liquid, ...
  *
  * A row is a constant that effects list by its address; effects that list the same row share the
- * scalar. From the row follow storage, sorting, ghosts, migration, backup, snapshots, the entries of
- * scenes (insertion, streams, walls, start), output, means on grids and the calls dem_scalar of dem.h. A scene
- * whose effects list none has none.
+ * scalar. From the row follow storage, sorting, ghosts, migration, backup, snapshots, the entries
+ * of scenes (insertion, streams, walls, start), output, means on grids and the calls dem_scalar of
+ * dem.h. A scene whose effects list none has none.
  *
  * A scalar with a rate obeys, over a time step h,
  *
@@ -97,7 +97,7 @@ struct dem_scalar               /* a row */
 };
 
 /* A scalar of an effect at the rows of a contact batch, seen as forces are: j is the higher id or
-   the wall. The value of a wall is that of the scene; at one without a given value it is that of the
+   the wall. The scene gives the value of a wall; a wall without a given value has the value of the
    particle, so that differences vanish. */
 struct dem_scalar_rows
 {

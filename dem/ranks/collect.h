@@ -1,12 +1,14 @@
 /*
  * collect.h -- reductions, gathers and agreement over the ranks of a decomposition.
  *
- * All functions are collective, and with one rank they make no MPI call. Those without a status record the first error of
- * MPI in the decomposition and go on, so that the ranks stay in step. The next agreement (dem_agree, dem_collect_agree)
- * turns a recorded error into an error of all ranks; a public call that makes no agreement returns dem_collect_status.
+ * All functions are collective, and with one rank they make no MPI call. Those without a status
+ * record the first error of MPI in the decomposition and go on, so that the ranks stay in step. The
+ * next agreement (dem_agree, dem_collect_agree) turns a recorded error into an error of all ranks;
+ * a public call that makes no agreement returns dem_collect_status.
  *
- * The result of a reduction is the same on all ranks. Integers and maxima do not depend on the order of the ranks; sums of
- * doubles do, so only quantities that change no result of the simulation are summed as doubles.
+ * The result of a reduction is the same on all ranks. Integers and maxima do not depend on the
+ * order of the ranks; sums of doubles do, so only quantities that change no result of the
+ * simulation are summed as doubles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -56,9 +58,9 @@ struct dem_collect_items         /* what a rank gives */
     size_t n, size;              /* number of items, bytes of one */
 };
 
-/* The items of all ranks on every rank, those of the first rank first. `status`: a rank that has failed before takes part,
-   and all ranks return an error. `all`: a new array, which the caller frees with dem_memory_free; `total`: number of
-   items. On failure they are NULL and 0. */
+/* The items of all ranks on every rank, in the order of ranks. `status`: a rank that has failed before
+   takes part, and all ranks return an error. `all`: a new array, which the caller frees with
+   dem_memory_free; `total`: number of items. On failure they are NULL and 0. */
 int dem_collect_gather(const struct dem_decomposition *, int status,
                        const struct dem_collect_items *, void **all, size_t *total);
 

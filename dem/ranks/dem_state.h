@@ -1,9 +1,8 @@
 /*
- * dem_state.h -- the state of a simulation on one rank: all data of the model, lists and
- * diagnostics.
+ * dem_state.h -- the state of a simulation on one rank: particles, walls, laws, lists, records.
  *
- * The time step and the API pass the whole state; functions of lower layers take only the parts
- * that they need.
+ * The time step and the public calls pass the whole state; functions of lower folders take only the
+ * parts that they need.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -53,7 +52,7 @@ struct dem_unagreed
     char text[DEM_ERROR_TEXT_SIZE];
 };
 
-/* a function of the program that is told of the progress of an advance; dem_set_progress */
+/* the program's function that follows an advance; dem_set_progress */
 struct dem_progress
 {
     void (*report)(void *self, double time, int64_t steps);   /* NULL: none */
@@ -107,7 +106,7 @@ struct dem_state
                                                      velocities are half a step ahead */
     const volatile sig_atomic_t *stop_request;    /* not 0: stop after this step;
                                                      NULL: no such request */
-    struct dem_progress progress;                 /* told during an advance */
+    struct dem_progress progress;                 /* called during an advance */
     int stopped;                                  /* value of the request at the
                                                      stop, maximum of ranks */
     double max_dt;                                /* s; limit of the time step of any window */

@@ -3,8 +3,9 @@
  * other ranks.
  *
  * Particles migrate with their columns and their contact history. Ghosts keep the true coordinates
- * of their originals, and have the columns that contacts read (particles/particles.h). Ghosts are built after each rebuild and refreshed (send, receive) in each
- * step. With one rank these functions do nothing.
+ * of their originals, and have the columns that contacts read (particles/particles.h). They are
+ * built at each rebuild of the neighbor lists and refreshed (send, receive) in each step. With one
+ * rank these functions do nothing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -56,7 +57,7 @@ struct dem_halo
     size_t needed_there_capacity, send_capacity, receive_capacity, request_capacity;
 };
 
-/* Doubles of the largest refresh of a ghost: that of a step, or that of a window. */
+/* Doubles of the largest refresh of a ghost, in a step or at the beginning of a window. */
 static inline size_t dem_halo_width(const struct dem_particles *p)
 {
     const size_t step = DEM_HALO_WIDTH + (size_t)p->ghost_step.n,
@@ -95,10 +96,9 @@ int dem_halo_reserve_candidates(struct dem_halo *, const struct dem_particles *)
 void dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
                                 const struct dem_contacts *);
 
-/* Begin to send positions, velocities, spins and the columns ghost_step for the ghosts on other ranks;
-   does not allocate.
-   One of the two functions below must complete it before any other call of this file. An error of
-   MPI is recorded (collect.h) and returned by the next agreement. */
+/* Begin to send positions, velocities, spins and the columns ghost_step for the ghosts on other
+   ranks; does not allocate. One of the two functions below must complete it before any other call of
+   this file. An error of MPI is recorded (collect.h) and returned by the next agreement. */
 void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_halo_set);
 
 /* Wait for the data; copy them to the ghosts (receive) or discard them (wait). */

@@ -6,7 +6,7 @@
  * The loss just after a decomposition is what it could not balance. The loss in excess of that is
  * summed, and when the sum exceeds the cost of a decomposition, the domain is divided again at the
  * next rebuild of lists. Subdomains get equal work; a particle weighs as much as its own work and
- * that of half of its rows.
+ * half of the work of its rows.
  *
  * Criterion after Menon et al., "Automated load balancing invocation based on application
  * characteristics", IEEE CLUSTER 2012.

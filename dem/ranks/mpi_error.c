@@ -1,5 +1,6 @@
 /*
- * mpi_error.c -- the message of a failed MPI call: its name, and the text that MPI has for the error code.
+ * mpi_error.c -- the message of a failed MPI call: its name, and the text that MPI has for the
+ * error code.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -14,7 +14,7 @@
  * whether it is bent, follow in each step from all of its triangles.
  *
  * With one rank these functions do nothing: it holds all triangles. Indices, numbers of facets and
- * the order of triangles are those of all ranks, so contacts do not depend on what a rank holds.
+ * the order of triangles are global, so contacts do not depend on what a rank holds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -42,7 +42,7 @@ struct dem_wall_store
 void dem_wall_store_init(struct dem_wall_store *, struct dem_decomposition *);
 void dem_wall_store_free(struct dem_wall_store *);
 
-/* Bytes held, with those of the triangles and facets. */
+/* Bytes held, with the triangles and facets. */
 size_t dem_wall_store_bytes(const struct dem_wall_store *, const struct dem_walls *);
 
 /* Before triangles are added: they are given on the first rank only, or `everywhere`. */

@@ -20,7 +20,7 @@ enum
 };
 
 /* Collective; a null first argument means one rank. The line of columns, then the n rows of each
-   rank, those of the first rank first. */
+   rank, in the order of ranks. */
 int dem_csv_table_write(const struct dem_file_ranks *, const char *path, const char *columns,
                         int64_t n, dem_csv_row *row, const void *source);
 

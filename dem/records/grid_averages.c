@@ -1,9 +1,10 @@
 /*
- * grid_averages.c -- what is averaged on grids: volume, mass, momentum, kinetic flux m v v and virial of the particles,
- * and their scalars; means with intervals.
+ * grid_averages.c -- what is averaged on grids: volume, mass, momentum, kinetic flux m v v and
+ * virial of the particles, and their scalars; means with intervals.
  *
- * Sums are those of records/grid_sums.h. When the files are written, the quantities of grid_averages.h follow from the
- * means. Each scalar has sums of its own, so that the others are the same in a scene without it.
+ * records/grid_sums.h has the sums. When the files are written, the quantities of grid_averages.h
+ * follow from the means. Each scalar has sums of its own, so that the others are the same in a
+ * scene without it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,9 +1,10 @@
 /*
  * grid_averages_snapshot.c -- save time averages in a snapshot and restore them after a restart.
  *
- * For each grid, and for each scalar on it: a record (struct dem_grid_average_record, stored raw), the block sums, the
- * sums of all samples; cells times columns numbers each. The record of a scalar is named SCALAR/GRID; no grid has a /
- * in its name. The bits are the machine's, like those of the whole snapshot, which also has the checksum.
+ * For each grid, and for each scalar on it: a record (struct dem_grid_average_record, stored raw),
+ * the block sums, the sums of all samples; cells times columns numbers each. The record of a scalar
+ * is named SCALAR/GRID; no grid has a / in its name. The bits are the machine's, like those of the
+ * whole snapshot, which also has the checksum.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * grid_sums.c -- distribute numbers of particles over the cells of a grid, and sum them without an order.
+ * grid_sums.c -- distribute numbers of particles over the cells of a grid, and sum them without an
+ * order.
  *
  * 1. Each particle's numbers are distributed over the cells that it overlaps.
  * 2. The contributions are converted to integers, so that the sum over particles and ranks does not

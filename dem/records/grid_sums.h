@@ -1,13 +1,14 @@
 /*
- * grid_sums.h -- sums over the particles in the cells of a grid, sampled and averaged over time; the same bits on any
- * number of ranks.
+ * grid_sums.h -- sums over the particles in the cells of a grid, sampled and averaged over time;
+ * the same bits on any number of ranks.
  *
- * A set of columns (struct dem_grid_columns) gives numbers of each particle. A sample distributes them over the cells
- * that the particle overlaps, as integers, so that the sum over particles and ranks does not depend on the order, and
- * adds the sums to block sums (core/block_means.h) on the first rank.
+ * A set of columns (struct dem_grid_columns) gives numbers of each particle. A sample distributes
+ * them over the cells that the particle overlaps, as integers, so that the sum over particles and
+ * ranks does not depend on the order, and adds the sums to block sums (core/block_means.h) on the
+ * first rank.
  *
- * The fraction of a particle that belongs to a cell is the product of its fractions in three slabs, each the volume of
- * a sphere between two parallel planes.
+ * The fraction of a particle that belongs to a cell is the product of its fractions in three slabs,
+ * each the volume of a sphere between two parallel planes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,7 +1,7 @@
 /*
  * snapshot_write.c -- pack particles and contacts block by block and write them with all ranks.
  *
- * Each rank writes its particles and the contacts it counts after those of the lower ranks; the
+ * Each rank writes its particles and the contacts it counts behind the lower ranks; the
  * first rank writes the data of the caller and, last, the header.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -3,7 +3,7 @@
  * arrays.
  *
  * All sizes are known before the first byte is written: an array is its length in bytes (UInt64),
- * then its values, those of the first rank first. Each rank builds the same header and so knows all
+ * then its values in the order of ranks. Each rank builds the same header and so knows all
  * offsets; the first rank writes the header, the lengths and the tail.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -5,8 +5,8 @@
  *     0,gravity hertz dry mindlin gidaspow pressureGradient
  *     0.006,gravity hertz dry mindlin wenYu pressureGradient
  *
- * From the time of a row on these effects act, until that of the next row. It stands beside the
- * other tables, whose first line has the names of columns, so that any reader of CSV takes them.
+ * From the time of a row until the time of the next one these effects act. The file stands beside
+ * the other tables, whose first line has the names of columns, so that any reader of CSV takes them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -2,7 +2,7 @@
  * fluid_api.c -- exchange with a coupled fluid: columns of fluid values at the particles, and
  * forces of particles on the fluid.
  *
- * The formulas are those of laws/fluid/particle_exchange.h.
+ * laws/fluid/particle_exchange.h has the formulas.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

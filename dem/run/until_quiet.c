@@ -20,7 +20,7 @@
  *   H   extent of the moving particles along g, and a mean diameter                            [m]
  *   o   largest overlap since the last test, of a diameter                                     [1]
  *
- * The second is that of a column fixed at its foot, 4 H/c: under its weight it is shortened by
+ * The second is the period of a column fixed at its foot, 4 H/c: under its weight it is shortened by
  * u = |g| H^2/(2 c^2), so that H/c = sqrt(2 u/|g|), and u <= o H.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,6 +1,6 @@
 /*
- * closed_surface.h -- a closed surface of triangles, that of a mesh, of one of its zones or of a
- * wall: is a point inside?
+ * closed_surface.h -- whether a point lies inside a closed surface of triangles: of a mesh, of
+ * one of its zones or of a wall.
  *
  * Inside: a ray from the point crosses the surface an odd number of times. The ray has a fixed
  * direction that no mesh is aligned with. Whether it crosses an edge to the left or to the right is

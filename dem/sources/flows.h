@@ -93,11 +93,11 @@ void dem_flows_free(struct dem_flows *);
 int dem_flows_begin(struct dem_state *, const struct dem_streams *,
                     const struct dem_snapshot *from);
 
-/* Collective. The first id above those of all particles. */
+/* Collective. The first id above all particles' ids. */
 int64_t dem_flows_first_free_id(const struct dem_state *);
 
-/* The columns of a particle that is inserted as number i: those of the fluid, and those that the
-   begin of a window sets. */
+/* Set the columns of a particle that is inserted as number i: the fluid's, and what the beginning of
+   a window sets. */
 void dem_flows_begin_columns(struct dem_state *, size_t i, const struct dem_uniform_fluid *);
 
 /* 1 when streams and outlets are checked in this step. */

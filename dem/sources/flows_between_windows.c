@@ -1,6 +1,6 @@
 /*
- * flows_between_windows.c -- streams and outlets between two windows, for a program whose fluid has to know
- * of all particles beforehand.
+ * flows_between_windows.c -- streams and outlets between two windows, for a program whose fluid has
+ * to know of all particles beforehand.
  *
  * Positions and velocities are synchronous there, so no backward kick is needed. The contact
  * history is saved, as before a rebuild, and the next step rebuilds. The first half kick of the

@@ -8,9 +8,9 @@
  *     patch inlet;                                               triangles of a mesh, supplied by
  *                                                                the program
  *
- * In a region the whole sphere lies inside, except at periodic faces; on a face its centre lies on the face. A particle that
- * enters through a face has been moving since a random time between two checks, so that the stream
- * has no layers.
+ * In a region the whole sphere lies inside, except at periodic faces; on a face its centre lies on
+ * the face. A particle that enters through a face has been moving since a random time between two
+ * checks, so that the stream has no layers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

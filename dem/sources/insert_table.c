@@ -7,8 +7,9 @@
  *     0, 1.5e-3, 2e-3, 1e-3, 1e-3
  *
  * The first row names the columns, in any order: x, y, z, and optionally diameter, vx, vy, vz, wx,
- * wy, wz, id, and the names of particle scalars. Columns are separated by a comma, a semicolon or blanks; empty rows and rows that
- * begin with # are skipped. A unit may follow a name, as in x[m]; it is not read: units are SI.
+ * wy, wz, id, and the names of particle scalars. Columns are separated by a comma, a semicolon or
+ * blanks; empty rows and rows that begin with # are skipped. A unit may follow a name, as in x[m];
+ * it is not read: units are SI.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -8,8 +8,8 @@
  *    (packing_relax.c), up to 0.57.
  *
  * Spheres are particles, on the rank that owns their position, with ghosts, periodic images and
- * neighbor lists like the particles of a run. The result is a function of the seed and the diameters, the same to the last bit
- * on any number of ranks.
+ * neighbor lists like the particles of a run. The result is a function of the seed and the
+ * diameters, the same to the last bit on any number of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -10,7 +10,8 @@
  *     sizes { type table;     file "sieve.csv"; }        rows "diameter, weight"
  *     by number | volume;                                meaning of weights and densities
  *
- * `deviation` is that of d [m], or of ln d. Without min and max the range is 3 deviations each way.
+ * `deviation` is the standard deviation of d [m], or of ln d. Without min and max the range is 3
+ * deviations each way.
  *
  * A distribution by volume q3 has the number density q0 ~ q3/d^3. A draw is a function of (seed,
  * number of the particle).

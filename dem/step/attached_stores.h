@@ -1,8 +1,9 @@
 /*
- * attached_stores.h -- the stores of upper layers that the step fills, owned together and attached to the state by pointers.
+ * attached_stores.h -- the stores of records and sources that the step fills, attached to the state
+ * by pointers.
  *
- * The state lies below diagnostics, inflow and output, so it knows their stores by pointer only. What makes a state, the public
- * interface or a timed sample, makes one of these beside it.
+ * The state (ranks/dem_state.h) lies below records and sources, so it knows their stores by pointer
+ * only. Who makes a state, the public interface or a timed sample, makes one of these beside it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -268,8 +268,8 @@ void dem_body_batch_divide_by_void_fraction(struct dem_body_workspace *t)
     divide_by_void_fraction(&t->batch);
 }
 
-/* Slip u - v(start) - c (v - v(start)) with the slip factor c: the coefficient becomes c b, and b u
-   becomes b u + (c - 1) b v(start). */
+/* Slip u - v(start) - gamma (v - v(start)): the coefficient becomes gamma b, and b u
+   becomes b u + (gamma - 1) b v(start). */
 DEM_KERNEL
 static void apply_slip_factor(struct dem_body_workspace *restrict t,
                               const double *restrict slip_factor, const double *restrict start,

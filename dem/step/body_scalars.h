@@ -37,7 +37,7 @@ struct dem_scalar_step
 void dem_body_scalars_gather(struct dem_body_scalars *, const struct dem_scalar_step *,
                              const struct dem_particles *, size_t first, int rows);
 
-/* Before an effect acts: let `scalars` of the batch be those of its list. */
+/* Before an effect acts: let `scalars` of the batch be the scalars of its list. */
 void dem_body_scalars_select(struct dem_body_scalars *, struct dem_body_batch *,
                              const struct dem_effect_entry *);
 

@@ -1,9 +1,9 @@
 /*
  * body_window.c -- what body effects have at the beginning and at the end of a coupling window.
  *
- * The response R of the impulses to the fluid's velocity, that of added mass, the slip factor c and
- * the fraction of a steady force that drag passes on are those of docs/theory-coupling.md,
- * "Exchange". With c the slip within a window is u - v(start) - c (v - v(start)).
+ * docs/theory-coupling.md, "Exchange", derives the response R of the impulses to the fluid's
+ * velocity, the response of added mass, the slip factor gamma and the fraction of a steady force that
+ * drag passes on. With gamma the slip within a window is u - v(start) - gamma (v - v(start)).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

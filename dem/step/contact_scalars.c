@@ -1,5 +1,5 @@
 /*
- * contact_scalars.c -- gather scalars of the partners of a contact batch, select those of an effect,
+ * contact_scalars.c -- gather scalars of the partners of a contact batch, select an effect's own,
  * store rates.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

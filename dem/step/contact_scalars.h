@@ -19,11 +19,11 @@ struct dem_contact_scalars
 };
 
 /* Gather the values of the partners of `rows` rows, from `row` on, of a batch that has been filled.
-   Rates are those of the walls, or 0. */
+   Rates are the walls' rates, or 0. */
 void dem_contact_scalars_gather(struct dem_contact_scalars *, const struct dem_state *,
                                 const struct dem_contact_batch *, uint32_t row, int rows);
 
-/* Before an effect acts: let `scalars` of the batch be those of its list. */
+/* Before an effect acts: let `scalars` of the batch be the scalars of its list. */
 void dem_contact_scalars_select(struct dem_contact_workspace *, const struct dem_effect_entry *);
 
 /* Store the rates of all rows, for the sum by particle. */

@@ -1,8 +1,9 @@
 /*
  * fall_check.h -- a bed that falls through its walls ends the run.
  *
- * Where time/maxOverlap is above 0.5, single passages are reported only (lost_particles.h); more than
- * 10, and than 1 % of the particles, are an error. Elsewhere each is one (lost_cause.h). A passage through a wall at which no normal law acts is one at once (lost_cause.h).
+ * Where time/maxOverlap is above 0.5, single passages are only reported (records/lost_particles.h);
+ * more than 10 that are also more than 1 % of the particles are an error. Otherwise each passage is
+ * an error, and so is one through a wall at which no normal law acts (records/lost_cause.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -4,7 +4,7 @@
  *
  * The i of consecutive rows are close together in memory, the j are not. With more particles than a
  * cache holds, most of the time is spent waiting for them. They are therefore prefetched
- * DEM_ROWS_AHEAD rows ahead: those of the next batch while this one is worked on.
+ * DEM_ROWS_AHEAD rows ahead, for the next batch while this one is worked on.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -10,8 +10,8 @@
 #include "contacts/contact_batch.h"
 #include "ranks/dem_state.h"
 
-/* Fill the gathered columns, and the optional columns spin and those of scalars, for all lanes.
-   `first`: partners of the first lane; those of the other lanes follow. `needs`: optional columns
+/* Fill the gathered columns, and the optional columns of spin and scalars, for all lanes.
+   `first`: partners of the first lane; the other lanes follow. `needs`: optional columns
    that the effect list of the class uses (enum dem_needs). */
 void dem_gather_pairs(struct dem_contact_workspace *, const struct dem_state *, unsigned needs,
                       const struct dem_row_partners *first);

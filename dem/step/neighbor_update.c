@@ -2,7 +2,7 @@
  * neighbor_update.c -- decide when neighbor lists are pruned or rebuilt, and rebuild them.
  *
  * A rebuild wraps particles along periodic axes, removes those that have left the domain or reached
- * an outlet, inserts those of streams, migrates particles to their owners, sorts them, and finds
+ * an outlet, inserts particles of streams, migrates particles to their owners, sorts them, and finds
  * ghosts, pairs and contact rows anew.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

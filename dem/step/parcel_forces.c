@@ -1,5 +1,5 @@
 /*
- * parcels.c -- evaluate fluid effects on the grains of parcels.
+ * parcel_forces.c -- evaluate fluid effects on the grains of parcels.
  *
  *   result += l^3 result(R/l, V/l^3, m/l^3)
  *
@@ -7,9 +7,9 @@
  *   R, V, m   radius, volume, mass of the parcel                   [m], [m3], [kg]
  *
  * The result is all that an effect adds to a body batch: forces, drag coefficient with its target,
- * and the same of its particle scalars. The n = l^3 grains have the velocity of the parcel, so the
- * drag coefficient of the parcel over its mass is that of a grain, and the response to the fluid of
- * their sum is the sum of their responses. The mean diameter of the surrounding particles is divided
+ * and the same of its particle scalars. The n = l^3 grains have the velocity of the parcel, so
+ * parcel and grain have the same drag coefficient over mass, and the response of their sum to the
+ * fluid is the sum of their responses. The mean diameter of the surrounding particles is divided
  * by l too; it is used with one ratio only.
  *
  * Source: Sakai and Koshizuka, Chem. Eng. Sci. 64 (2009) 533.

@@ -1,5 +1,5 @@
 /*
- * parcels.h -- evaluate fluid effects on the grains of parcels (laws/parcels.h).
+ * parcel_forces.h -- evaluate fluid effects on the grains of parcels (laws/parcels.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

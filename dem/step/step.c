@@ -10,8 +10,8 @@
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
  *    velocities and spins (sweep_bodies.c). In most steps this happens during phase 4, for the
  *    particles whose contact forces are all known.
- * 6. Averages when due. Backup, energy balance and wall statistics need the
- *    state within phase 5 and are made there.
+ * 6. Averages when due. Backup, energy balance and wall statistics need the state within phase 5 and
+ *    are made there.
  *
  * All other decisions follow from what all ranks know after the all-reduce.
  *
@@ -422,7 +422,7 @@ static int step(struct dem_state *p, double since, double kick, int *status)
     /* 5. sums, body and fluid forces, kick */
     *status = sum_and_kick(p, &due, &pass, *status);
 
-    /* 6. diagnostics */
+    /* 6. averages */
     *status = sample_averages(p, *status);
     return DEM_OK;
 }

@@ -1,5 +1,6 @@
 /*
- * store_forces.c -- forces and lever arms of a contact batch, from columns into the records of its rows.
+ * store_forces.c -- forces and lever arms of a contact batch, from columns into the records of its
+ * rows.
  *
  * With T = n x F the torque is -a T on both sides, a the lever arm of that side (see geometry.h).
  *

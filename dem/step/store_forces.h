@@ -16,7 +16,7 @@ struct dem_batch_forces                       /* of the rows of a batch */
     struct dem_contact_moment *moment;      /* NULL: the scene has none */
 };
 
-/* The slots of a batch, from that of its first row on. */
+/* The slots of a batch, from the slot of its first row on. */
 struct dem_batch_forces dem_store_target(const struct dem_contact_forces *, uint32_t slot);
 
 /* Store the contact forces and moments of a batch. The lever arm is the radius minus `factor` times

@@ -5,14 +5,14 @@
  * A curved wall consists of many facets. The contact of a sphere that rolls along it goes from one
  * facet to the next, and its friction spring has to go with it, or friction begins anew at every
  * facet. Facets are one surface to a sphere when their normals at the contact points differ by less
- * than 30 degrees from that of the deepest contact; the contacts on one surface share their springs.
+ * than 30 degrees from the deepest contact's; the contacts on one surface share their springs.
  * Before a step these are divided anew, so that the friction T of all together does not change and
  * each contact has the same fraction of it as of the normal force:
  *
  *   T = sum_k w_k xi_k,   xi_k' = T d_k/sum_k w_k d_k,   w = d^(p-1): 1 or sqrt(d)
  *
- *   xi   spring, turned by the smallest rotation from its own plane to that of the deepest
- *        contact, and back
+ *   xi   spring, turned by the smallest rotation from its own plane to the plane of the
+ *        deepest contact, and back
  *   d    overlap
  *   p    exponent of the normal law: forces go with d^p, tangential stiffness with d^(p-1)
  *        (Hertz and Mindlin: 3/2)

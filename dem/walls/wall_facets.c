@@ -6,10 +6,10 @@
  * 3. Join triangles that share an edge and are coplanar (union-find); mark edges on the rim of a
  *    facet: all triangles at such an edge are on one side of it. Two are there at the edge of a
  *    plate without thickness, a baffle, whose sides are cut along different diagonals.
- *    Along periodic axes corners and edges are those of the images, too: each has its place, a
+ *    Along periodic axes corners and edges of the images count, too: each has its place, a
  *    number of periods, and union-find adds up the places along its links. A facet that comes back
  *    to where it began by a period is joined to its own image, endless.
- * 4. Number the facets in the order of the sorted triangles; the plane is that of the largest
+ * 4. Number the facets in the order of the sorted triangles; the plane is taken from the largest
  *    triangle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -14,8 +14,8 @@
  *       with which the wall goes on from where it stood (wall_frames.c)
  *   T   time since the start, limited to [0, end - start]; outside the wall rests             [s]
  *
- * The velocity of a point of the wall is that of the chord of the last step, (x(t) - x(t - dt))/dt,
- * the same definition as for particles: what moves with the wall has exactly no slip.
+ * A point of the wall has the velocity of the chord of the last step, (x(t) - x(t - dt))/dt, as
+ * particles have: what moves with the wall has exactly no slip.
  *
  * Which wall has which motion, and the bound of its displacement for the lists: walls.h.
  *

@@ -8,7 +8,7 @@
  * each.
  *
  * Faces of a blunt concave edge (less than 20 degrees) are one contact, with the potential of an
- * overlap that grows smoothly from that of one face to that of the other:
+ * overlap that passes smoothly from one face to the other:
  *
  *   d = (d_1^p + d_2^p)^(1/p),  F = f(d) grad d,  grad d = sum_i (d_i/d)^(p-1) n_i,  p = 1/sin a
  *

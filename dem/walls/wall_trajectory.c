@@ -6,7 +6,7 @@
  *
  *   x(t) = from + (to - from) (t - t0)/T,    v = (to - from)/T
  *
- *   from, to   corner at the begin t0 and the end of the advance                       [m]
+ *   from, to   corner at the beginning t0 and the end of the advance                       [m]
  *   T          length of the advance                                                   [s]
  *
  * A wall that rotates by the angle a within an advance moves on the chord, at half way a^2/8 of its
@@ -21,7 +21,7 @@
  * which is the angular velocity for a rigid body; for a deforming surface the normal part is half
  * of the surface vorticity.
  *
- * The facets are those of the surface that was given, so contacts keep their keys however the
+ * The facets are kept from the surface that was given, so contacts keep their keys however the
  * surface deforms. A facet whose triangles have left their common plane is bent: contact is then
  * with the nearest triangle.
  *

@@ -43,7 +43,7 @@ enum dem_shape
 /* condition of a wall for a particle scalar; all zero: insulated */
 struct dem_wall_scalar
 {
-    int given;                    /* 1: effects see `value` as that of the wall */
+    int given;                    /* 1: effects see `value` at the wall */
     double value;                 /* unit */
     double flux;                  /* unit C/(s m2)  into a particle that touches it, on pi R^2 */
     double film;                  /* C/(s m2)       coefficient from `value`, likewise */
@@ -121,8 +121,8 @@ struct dem_facet                  /* in the wall's frame */
     uint16_t bent;                /* 1: it follows a mesh and is no longer plane */
     uint8_t endless;              /* bit k: along axis k it is joined to its own periodic image */
     uint8_t distinct;             /* bit k: along axis k a particle may touch two of its images */
-    uint32_t largest;             /* `index` of the largest triangle of the surface given: its plane
-                                     is that of the facet */
+    uint32_t largest;             /* `index` of the largest triangle of the surface given, whose
+                                     plane the facet has */
 };
 
 /* a triangle and the plane of its facet, as one rank hands it to another */
@@ -250,12 +250,13 @@ int dem_walls_same_form(const double *a, const double *b, int triangles);
    welding and flatness follow. */
 int dem_walls_finish(struct dem_walls *, double scale);
 
-/* Part of the above: the plane of a facet is that of this triangle, with the area vector `area` of
+/* Part of the above: a facet has the plane of this triangle, with the area vector `area` of
    length `size` [m2]. Without an area the normal stays. */
 void dem_walls_set_plane(const struct dem_walls *, struct dem_facet *, const struct dem_triangle *,
                          double size, const double area[3]);
 
-/* Part of the above: choose the points whose displacements bound those of the walls. */
+/* Part of the above: choose the points whose displacements bound the displacements of
+   the walls. */
 int dem_walls_make_marks(struct dem_walls *);
 
 /* Part of it: the speeds with which motions push particles. */
@@ -334,7 +335,7 @@ void dem_walls_record(const struct dem_walls *, size_t triangle, struct dem_wall
 /* Where the triangle that has this index among all is among those held. */
 size_t dem_walls_find(const struct dem_walls *, uint32_t index);
 
-/* Hold the triangles of the records, those of walls that follow a mesh as before, and no others. */
+/* Hold the triangles of the records and, as before, of walls that follow a mesh; no others. */
 int dem_walls_hold(struct dem_walls *, size_t n, const struct dem_wall_record *);
 
 /* The same in `part`, which shares all but triangles and facets with the walls;

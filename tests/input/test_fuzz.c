@@ -106,7 +106,7 @@ int main(void)
 
     memcpy(&head, good, sizeof head);
     TAP_OK(head.caller_data > MEANS_LENGTH + 8, "it has means");
-    for (int k = 0; k < 3; k++)                           /* as averages_record.c has them */
+    for (int k = 0; k < 3; k++)                           /* as grid_averages_snapshot.c has them */
     {
         const int64_t value = (const int64_t[]){-1, 1 << 20, INT64_MAX/8}[k];
 

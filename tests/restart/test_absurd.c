@@ -40,7 +40,7 @@ static const char scene[] =
 enum
 {
     MOST = 1 << 20,
-    /* bytes before the sums, as in averages_record.c */
+    /* bytes before the sums, as in grid_averages_snapshot.c */
     MEANS = 248
 };
 

@@ -20,12 +20,13 @@
  *
  * Making: `make` once at `time`, always from then on, or once for the pairs listed in the scene;
  * where r is at most makeDistance (R_i + R_j), with a probability that depends on the seed and the
- * two ids only, with `redraw` on the time of the meeting, too. New bonds are free of stress. Damping (added to the forces, not to the breaking
- * criteria): viscous, c = 2 zeta sqrt(k m), with m = m*, 2/7 m* for slip and I* for rotations; or a
- * fraction of the force of each spring against its velocity v, F - eta |F| v/max(|v|, v_s), v_s =
- * |F| dt/m (eta may differ between stretching, shear, twist and bending): the velocity change by the force in one step, so that the damping never reverses a
- * motion. Relaxation: every spring is multiplied by exp(-eta dt) in a step, the normal one by a
- * change of l.
+ * two ids only, with `redraw` on the time of the meeting, too. New bonds are free of stress.
+ * Damping (added to the forces, not to the breaking criteria): viscous, c = 2 zeta sqrt(k m), with
+ * m = m*, 2/7 m* for slip and I* for rotations; or a fraction of the force of each spring against
+ * its velocity v, F - eta |F| v/max(|v|, v_s), v_s = |F| dt/m (eta may differ between stretching,
+ * shear, twist and bending): the velocity change by the force in one step, so that the damping
+ * never reverses a motion. Relaxation: every spring is multiplied by exp(-eta dt) in a step, the
+ * normal one by a change of l.
  *
  * Breaking, when any of these is reached (0 switches the first two off):
  *

@@ -3,7 +3,7 @@
  *
  *   k = 16/15 E* sqrt(R*) (15 m* v^2/(16 E* sqrt(R*)))^(1/5)
  *
- *   k    stiffness of the linear spring whose largest overlap in an impact at v is that of Hertz's
+ *   k    stiffness of the linear spring whose largest overlap in an impact at v is as with Hertz's
  *        law                                                       [N/m]
  *   E*   reduced modulus                                           [Pa]
  *   R*   reduced radius                                            [m]
@@ -21,10 +21,10 @@
  *
  *   R    radius of the smallest particle: R* at a wall, 2 R* in a pair (two equal ones are assumed)
  *
- * With added mass (virtualMass in a fluid of known density) m* contains it, and rho is that of the
- * particle and C times that of the fluid: this is the inertia that moves. Not so with friction,
- * rolling resistance, bonds or films: they turn particles, and the moment of inertia of a sphere
- * contains no added mass.
+ * With added mass (virtualMass in a fluid of known density) m* contains it, and rho is the density of
+ * the particle plus C times the fluid's: this is the inertia that moves. With friction, rolling
+ * resistance, bonds or films added mass does not count: they turn particles, and the moment of
+ * inertia of a sphere contains none.
  *
  * At t_c/20 the frequency of the spring is 0.10 % too high (pi^2/(24 20^2)), at three times that
  * 0.95 %. T_R/5 is the smaller limit for impacts so slow that t_c > 4 T_R, and there it is strict

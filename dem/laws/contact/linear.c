@@ -18,7 +18,7 @@
  *
  * Largest time step for a given k_t: 1/20 of half a period, pi sqrt(2 m/(7 k_t))/20, at which the
  * oscillation of a sphere that sticks is 0.10 % too fast (0.95 % at three times that). A ratio has
- * no limit of its own: at that of hooke the error is 0.10 % for 2/7, and 0.73 % for the largest, 2.
+ * no limit of its own: at the limit of hooke the error is 0.10 % for 2/7, and 0.73 % for the largest, 2.
  *
  * Source: Cundall and Strack, Geotechnique 29 (1979) 47; friction: Coulomb; eqs. (15) to (17) and
  * (20) to (23) of Kasuga, Discrete element method (in Japanese, 2012). Changed from the note: as in

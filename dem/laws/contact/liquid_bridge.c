@@ -20,7 +20,7 @@
  *   V = f_i L_i + f_j L_j,    f_i = (1 - sqrt(1 - (R_j/(R_i + R_j))^2))/2
  *
  * L is the particle scalar liquidVolume, the liquid on a particle that is in no bridge. At a wall f
- * is that of an equal sphere, 0.067, and the wall gives nothing. Caps that face spheres which do
+ * is 0.067, as for an equal sphere, and the wall gives nothing. Caps that face spheres which do
  * not overlap are disjoint, so bridges that form together take no more than there is; later ones
  * take their part of the rest. V is at most maxVolume R_min^3: what is more stays on the particles.
  * A bridge breaks when H reaches (1 + theta/2) V^(1/3), theta in rad. Each partner then gets V/2, a
@@ -30,7 +30,7 @@
  * here zero at rupture. What a bridge gains when it forms, the work needed to break it, is counted
  * as lost at that moment: the loss of one loop of approach and separation.
  *
- * The viscous damper is limited to m* / (4 dt), that of slip to 2/7 of it, as in lubrication.c,
+ * The viscous damper is limited to m* / (4 dt), the damper of slip to 2/7 of it, as in lubrication.c,
  * which also says why the viscous force rests while surfaces touch. With the largest step,
  * 0.2 m* / c at h_r, the limiters are never active.
  *

@@ -5,7 +5,7 @@
  *
  *   h    gap between the surfaces, negative in contact             [m]
  *   v_n  normal relative velocity, negative on approach            [m/s]
- *   mu   viscosity, a setting or that of the coupled fluid         [Pa s]
+ *   mu   viscosity, a setting or the coupled fluid's               [Pa s]
  *   R*   reduced radius, R_i R_j/(R_i + R_j); R_i at a wall        [m]
  *   h_r  roughness: at smaller gaps, and in contact, fluid escapes between the asperities   [m]
  *   h_c  cut-off: at larger gaps the drag law contains the interaction                      [m]

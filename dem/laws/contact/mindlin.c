@@ -27,7 +27,7 @@
  *              sign, torque -R_i n x F_t. The two errors of sign cancel in every velocity; only the
  *              spin has the wrong sign.
  *   (18)       d is the positive overlap; delta of the note is negative in contact and has no root.
- *   (20), (21) the direction of friction is that of the trial force, not of the slip (which
+ *   (20), (21) friction has the direction of the trial force, not of the slip (which
  *              reverses before the force does, and is 0/0 at rest); an attractive normal force gives
  *              no friction; the spring is relaxed.
  * The secant law returns up to 0.06 % more tangential speed than it took (elastic impact within 3

@@ -5,7 +5,7 @@
  *   d(k_t xi) = k_t s dt while d grows,     d xi = s dt while it decreases
  *
  *   xi     elongation of the spring at its present stiffness (history) [m]
- *   k_t    tangential stiffness; that of the last step is history   [N/m]
+ *   k_t    tangential stiffness; its value of the last step is history [N/m]
  *   s      slip velocity of i over j at the contact point           [m/s]
  *   G*     reduced shear modulus, 1/G* = sum 2 (2 - nu)(1 + nu)/E   [Pa]
  *   R*, d  reduced radius, overlap                                  [m]

@@ -13,7 +13,7 @@
  *
  * Near rest the torque would change its sign in every step. It is limited to 2/5 m* R*^2 |w_r|/dt,
  * which removes at most all of w_r in one step for any pair of sizes: 2/5 m* R*^2 is the inertia of
- * a sphere spinning at a wall, and smaller than that of any pair. The torque therefore vanishes at
+ * a sphere spinning at a wall, and smaller than for any pair. The torque therefore vanishes at
  * rest and holds nothing there: on a slope below mu_r a sphere creeps at 5/2 g sin(slope) dt, where
  * both balance.
  *

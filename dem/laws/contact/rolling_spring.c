@@ -27,7 +27,7 @@
  *
  * Source: type C of Ai, Chen, Rotter, Ooi, Powder Technol. 206 (2011) 269; stiffness: Iwashita and
  * Oda, J. Eng. Mech. 124 (1998) 285. Changed from Ai et al.:
- *   k_r        theirs, 2.25 k_n mu_r^2 R*^2, is the setting 2.25 mu_r^2; the default is that of
+ *   k_r        theirs, 2.25 k_n mu_r^2 R*^2, is the setting 2.25 mu_r^2; the default is from
  *              Iwashita and Oda.
  *   the angle  is the history variable, not the moment: a moment kept while k_n decreases returns
  *              more energy than it took.

@@ -28,7 +28,7 @@
  * unsymmetric form the pair would gain energy.
  *
  * Slip. Spring and dashpot are in parallel, and the slider in series with both. The whole of F,
- * dashpot included, is limited: the impulse of a contact that slides throughout is that of the
+ * dashpot included, is limited: a contact that slides throughout has the impulse of the
  * limit. With the trial elongation e = xi + s dt and the trial force T = -k e - c s (sticking), a
  * step with |T| > limit, implicit in xi, has F along T, and the spring is shortened by the slip:
  *

@@ -6,7 +6,7 @@
  *
  *   v      |normal relative velocity| in the first step of the contact, kept until the surfaces
  *          separate (history)                                      [m/s]
- *   mu     viscosity, a setting or that of the coupled fluid       [Pa s]
+ *   mu     viscosity, a setting or the coupled fluid's             [Pa s]
  *   m*     reduced mass, added mass of the fluid included          [kg]
  *   R*     reduced radius                                          [m]
  *   e_max  restitution without fluid                               [1]
@@ -22,12 +22,13 @@
  * which is finite for v = 0, mu = 0, e_max = 0 and e_max = 1: St -> 0 gives critical damping, mu =
  * 0 gives e_max. No logarithm is taken in the loop.
  *
- * Added mass (in St only; the motion itself is not changed here): each particle counts
- * m_i + C_M rho_f V_i, with C_M = 1/2 wherever the fluid's density is known (fluidDensity, or that
- * of the run), as in the fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M rho_f/rho_p, m* becomes f_a m* at a wall and
- * f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m* in a pair. This is exact at a wall, for two
- * particles of equal density and any sizes, and for two of equal size and any densities; for
- * unequal sizes and densities it lies between f_a and f_b times m*, as the exact value does.
+ * Added mass (in St only; the motion itself is not changed here): each particle counts m_i + C_M
+ * rho_f V_i, with C_M = 1/2 wherever the fluid's density is known (fluidDensity, or that of the
+ * run), as in the fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M
+ * rho_f/rho_p, m* becomes f_a m* at a wall and f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m*
+ * in a pair. This is exact at a wall, for two particles of equal density and any sizes, and for two
+ * of equal size and any densities; for unequal sizes and densities it lies between f_a and f_b
+ * times m*, as the exact value does.
  *
  * Reason for keeping the speed of the first contact: with the instantaneous signed velocity in St,
  * as in LIGGGHTS, e = 0.48 at St = 50 comes out as 0.08. That form is an option (speed
@@ -39,7 +40,7 @@
  * (2001) 329. Eq. (8) of Open DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025)
  * takes its ln e "by the Stokes number", without a formula. Changed from other implementations: ln
  * e_max - beta/St with St > 0 (a plus sign and a velocity that is negative on approach return too
- * much); the speed is that of first contact, see above.
+ * much); the speed is taken at first contact, see above.
  * Not here: lubrication before contact. It cannot be combined with lubrication: e already contains
  * the loss in the film.
  *

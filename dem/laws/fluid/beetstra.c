@@ -9,22 +9,22 @@
  *   e    void fraction; s = 1 - e                                  [1]
  *   Re   superficial Reynolds number of <d>, e rho <d> |u - v|/mu  [1]
  *   d    diameter of the particle                                  [m]
- *   <d>  Sauter mean diameter of the mixture, sum d^3/sum d^2: a setting, or that of the particles
+ *   <d>  Sauter mean diameter of the mixture, sum d^3/sum d^2: a setting, or of the particles
  *        around each particle (mean around; of all particles where the fluid is uniform); with
  *        neither, <d> = d                                          [m]
  *
- * F is that of the paper, normalised by 3 pi mu d U with the superficial slip U = e (u - v): hence
+ * F is as in the paper, normalised by 3 pi mu d U with the superficial slip U = e (u - v): hence
  * the factor e. In its last term both fractions are multiplied by powers of Re, so that nothing is
  * 0/0 at rest. G -> 1 for e -> 1, Re -> 0; for a single sphere at Re = 100 it is 16 % above
  * Schiller and Naumann.
  *
- * Several sizes: the factor e y + s y^2 of the paper belongs to the whole force; its second part is
- * that of the pressure gradient, which is a separate force here, so y remains, and b is
+ * Several sizes: the factor e y + s y^2 of the paper belongs to the whole force; its second part
+ * comes from the pressure gradient, which is a separate force here, so y remains, and b is
  * proportional to d^2.
  *
  * Source: Beetstra, van der Hoef, Kuipers, AIChE J. 53 (2007) 489, from lattice-Boltzmann
  * simulations.
- * Not here: the local mean slip in Re (that of the particle is used); 0.064 e y^3, a correction for
+ * Not here: the local mean slip in Re (the particle's slip is used); 0.064 e y^3, a correction for
  * wide mixtures, because it would not vanish for equal spheres.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

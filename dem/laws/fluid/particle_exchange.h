@@ -3,13 +3,13 @@
  *
  * Slip factor, force F - K u on the fluid (u: its velocity after the step), rate at which drag
  * removes slip, Sauter mean diameter of a mixture, under-relaxation factor of the pressure gradient
- * and of Du/Dt at light particles. Why they are so: docs/theory-coupling.md, "Exchange".
+ * and of Du/Dt at light particles. docs/theory-coupling.md, "Exchange", has the reasons.
  *
- *   c = 1/e^2, 1/e where the drag law contains the pressure gradient (set III)
+ *   gamma = 1/e^2, 1/e where the drag law contains the pressure gradient (set III)
  *   K = R/T,  F = K u* - J/T
  *   1/tau = B/T/(m + a),     d = sum V/sum (V/d_i)
- *   w = 1/(1 + |lambda| (1 - q)),  delta = rho_p/rho + C,
- *   lambda = (1 - e)/e/(2 delta) (1 + 2 C + sqrt((1 + 2 C)^2 - 4 C delta))
+ *   theta = 1/(1 + |lambda| (1 - q)),  delta = rho_p/rho + C_a,
+ *   lambda = (1 - e)/e/(2 delta) (1 + 2 C_a + sqrt((1 + 2 C_a)^2 - 4 C_a delta))
  *
  *   e        void fraction, at least 0.1                                [1]
  *   u*       fluid velocity before the step                             [m/s]
@@ -17,7 +17,7 @@
  *   R, B     response dJ/du; sum of drag coefficient times time         [kg]
  *   T        the step in which fluid and particles exchange momentum    [s]
  *   m, a     mass of the particle, added mass                           [kg]
- *   C, q     added mass over the mass of displaced fluid; fraction of a force that drag transmits
+ *   C_a, q   added mass over the mass of displaced fluid; fraction of a force that drag transmits
  *   V, d_i   volume and diameter of the surrounding particles           [m3], [m]
  *
  * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482 for the sets of equations; Sauter,
@@ -33,7 +33,7 @@
 /* Particles of at least so many times the fluid's density need no under-relaxation. */
 #define DEM_EXCHANGE_LIGHT 10.0
 
-/* Slip factor c; whole_drag: 1: the drag law contains the pressure gradient (set III). */
+/* Slip factor gamma; whole_drag: 1: the drag law contains the pressure gradient (set III). */
 static inline double dem_exchange_slip_factor(double void_fraction, int whole_drag)
 {
     const double e = void_fraction > 0.1 ? void_fraction : 0.1;
@@ -54,8 +54,8 @@ static inline double dem_exchange_rate(double drag_time, double window, double o
     return drag_time*over_inertia/window;
 }
 
-/* Under-relaxation factor w of the pressure gradient and of Du/Dt at a particle: density_ratio is
-   rho_p/rho, added C, transmitted q */
+/* Under-relaxation factor theta of the pressure gradient and of Du/Dt at a particle: density_ratio
+   is rho_p/rho, added C_a, transmitted q */
 static inline double dem_exchange_under_relaxation(double void_fraction, double density_ratio,
                                                    double added, double transmitted)
 {

@@ -7,8 +7,8 @@
  *   Re   rho d |u - v|/mu, u interstitial, without the void fraction   [1]
  *
  * Independent of the void fraction. G -> 1 for Re -> 0. It has a step of +0.4 % at Re = 1000, as
- * published. Equal to wenYu at void fraction 1 only: Re is that of the interstitial slip here, and
- * of the superficial slip there.
+ * published. Equal to wenYu at void fraction 1 only: Re contains the interstitial slip here, and
+ * the superficial slip there.
  *
  * Source: Schiller and Naumann, Z. Ver. Dtsch. Ing. 77 (1933) 318; above 1000 Newton's constant
  * coefficient.

@@ -5,7 +5,7 @@
  *
  *   u, v   fluid (interstitial) and particle velocity              [m/s]
  *
- * Re_p is that of the interstitial slip: the lift laws are those of a single sphere.
+ * Re_p contains the interstitial slip: the lift laws are for a single sphere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

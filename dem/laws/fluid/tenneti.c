@@ -8,13 +8,13 @@
  *   Re   superficial Reynolds number, e rho d |u - v|/mu           [1]
  *   F1   single sphere, 1 + 0.15 Re^0.687 below 1000               [1]
  *
- * F is that of the paper, normalised by 3 pi mu d e (u - v), of the whole force with the mean
+ * F is as in the paper, normalised by 3 pi mu d e (u - v), of the whole force with the mean
  * pressure gradient; without that gradient, which is a separate force here, it is e F, and with the
  * interstitial slip e^2 F.
  *
  * The single-sphere term is divided by e^3, as in the paper. With e^2, as in other codes, creeping
- * flow at s = 0.5 would have 19 % less drag than the simulations of Beetstra et al. and 17 % less
- * than those of Koch and Hill; with e^3 it is 9 % and 7 % less. The fit is for s from 0.1 to 0.5
+ * flow at s = 0.5 would have 19 % less drag than in the simulations of Beetstra et al. and 17 % less
+ * than in Koch and Hill's; with e^3 it is 9 % and 7 % less. The fit is for s from 0.1 to 0.5
  * and Re to 300. G -> 1 for e -> 1, Re -> 0; there it increases steeply, as 0.48 s^(1/3).
  *
  * Source: Tenneti, Garg, Subramaniam, Int. J. Multiphase Flow 37 (2011) 1072.

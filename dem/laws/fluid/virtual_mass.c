@@ -19,12 +19,12 @@
  * the force a Du/Dt. dv/dt is never computed by differences: this would be noisy, and unstable for
  * rho_p <= C rho; in the present form even a bubble without mass is stable. All forces, contact
  * forces included, act on m + a, and contact damping takes it into account: restitution in a liquid
- * is as set. C is that of the beginning of the fluid step; when it changes, v stays the same and so
+ * is as set. C is taken at the beginning of the fluid step; when it changes, v stays the same and so
  * does the momentum m v. The opposite of the whole force acts on the fluid.
  *
  * Source: Maxey, Riley, Phys. Fluids 26 (1983) 883; Auton, Hunt, Prud'homme, J. Fluid Mech. 197
  * (1988) 241 (Du/Dt, not the derivative along the particle); Zuber, Chem. Eng. Sci. 19 (1964) 897;
- * the fit to Felderhof, J. Phys. A 24 (1991) 4355, is that of CFDEMcoupling-PFM.
+ * the fit to Felderhof, J. Phys. A 24 (1991) 4355, is from CFDEMcoupling-PFM.
  * Not here: the history force; walls; other shapes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,8 +1,8 @@
 /*
  * fused.h -- find the kernel that computes the first laws of an effect list in one loop.
  *
- * Intermediate results stay in registers instead of columns. The operations are those of the effects'
- * own loops, in the same order: results have the same bits.
+ * Intermediate results stay in registers instead of columns. The operations and their
+ * order are the same as in the effects' own loops, so results have the same bits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

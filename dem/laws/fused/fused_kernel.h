@@ -6,8 +6,8 @@
  * 3. The limits of these (slider.h).
  * 4. Forces and moments.
  *
- * In one long loop the latencies of square roots and divisions would add up; in short ones those of
- * several rows overlap.
+ * In one long loop the latencies of square roots and divisions would add up; in short ones the
+ * latencies of several rows overlap.
  *
  * History is cleared where partners are apart, as step/sweep_contacts.c does after an effect.
  *

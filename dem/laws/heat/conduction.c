@@ -11,7 +11,7 @@
  *   d    overlap                                                   [m]
  *   c    correction of the radius where youngsModulus is softer than realModulus    [1]
  *
- * With s the ratio of E* of the scene to that of the real materials: `area force`, the default, is
+ * With s the ratio of E* of the scene to E* of the real materials: `area force`, the default, is
  * c = s^(1/3), so that a contact under a given force has the radius of the real material: exact for
  * Hertz' law at rest. `area impact` is c = s^(1/5), the largest radius in an impact at a given speed
  * (Zhou, Yu, Zulli). `area overlap` is c = 1.

@@ -15,8 +15,8 @@
  * both, conduction evens that out.
  *
  * The run computes the energy balance in each step, whether it is written or not: contacts take about
- * three times the processor time. The heat of a step is that of its drift, so mechanical and thermal
- * energy are those of the same time.
+ * three times the processor time. The heat of a step belongs to its drift, so mechanical and thermal
+ * energy are at the same time.
  *
  * Source: Jaeger, Proc. R. Soc. N. S. W. 76 (1942) 203. Not here: the share of drag, which heats the
  * fluid; a hot spot at the contact.

@@ -17,7 +17,7 @@
  *   t        `thickness`                                                    [1]
  *
  * With m = l - s the sum of the two roots and D = R_i^2 - R_j^2, their product over their sum is
- * (m - D^2/m^3)/4, and r dr is that times ds. So the integral has a closed form in s:
+ * (m - D^2/m^3)/4, and r dr is this times ds. So the integral has a closed form in s:
  *
  *   int r/s dr = 1/4 [l ln s - s - D^2 ((ln(s/m)/l + 1/m)/l^2 + 1/(2 l m^2))]
  *   int r dr   = 1/8 [-m^2 - D^2/m^2]
@@ -25,7 +25,7 @@
  * and four times the first with D = 0 at a wall. H begins at zero where the film begins to meet the
  * surface, so the rate is continuous.
  *
- * The published s_0 is that of molecules, 4e-10 m. The temperature jump of a rarefied gas is longer:
+ * The published s_0 is molecular, 4e-10 m. The temperature jump of a rarefied gas is longer:
  * 4e-7 m for steel in air (four mean free paths over the accommodation); H depends on ln s_0. The
  * spheres must conduct much better than the gas. In contact that is softer than real the overlap is
  * corrected as `area force` of conduction.

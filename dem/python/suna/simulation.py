@@ -19,7 +19,7 @@ PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling"
 
 
 class Wall:
-    """A wall of the scene; forces are those of the particles on it."""
+    """A wall of the scene; its forces are exerted by the particles."""
 
     def __init__(self, simulation, number, name):
         self._simulation, self._number, self.name = simulation, number, name
