@@ -8,9 +8,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import fluid                                                 # noqa: E402
 HARD = "ranks without particles"
 
-PARTICLES = (("none", "type list; diameter 1e-3; positions ( )"),
-             ("one", "type list; diameter 1e-3; positions ((0.0251 0.0052 0.0051)); velocity (0.5 0 0)"),
-             ("all over one rank", "type lattice; diameter 1e-3; count 200; spacing 1.2; jitter 0.5; min (0 0 0); max (0.02 0.01 0.01); velocity (0.2 0 0)"))
+PARTICLES = (("none", ""),
+             ("one", "all { type list; diameter 1e-3; positions ((0.0251 0.0052 0.0051)); velocity (0.5 0 0); }"),
+             ("all over one rank", "all { type lattice; diameter 1e-3; count 200; spacing 1.2; jitter 0.5; min (0 0 0); max (0.02 0.01 0.01); velocity (0.2 0 0); }"))
 
 
 def box(c, name, particles):
@@ -18,7 +18,7 @@ def box(c, name, particles):
                       g=(0, 0, -9.81),
                       patches={"walls": (("x0", "x1", "y0", "y1", "z0", "z1"),) + fluid.WALL},
                       scene="materials { glass { density 2500; youngsModulus 1e6; } } effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.9; } mindlin { friction 0.3; }\n"
-                            "gidaspow { } pressureGradient { } } time { step 1e-5; } insert { all { %s; } } coupling { rho 1.2; }" % particles)
+                            "gidaspow { } pressureGradient { } } time { step 1e-5; } insert { %s } coupling { rho 1.2; }" % particles)
 
 
 def check(c):
