@@ -155,7 +155,7 @@ static double transfer(const struct dem_effect_entry *entry, const struct dem_pl
     return t[0].rate_j[0];
 }
 
-/* Of the uniform fluid of a scene; that of a coupled program is not known before the run. */
+/* For the uniform fluid of a scene; a coupled program's fluid is not known before the run. */
 static void of_fluid(const struct dem_plan *p, const struct dem_regime *g, struct dem_biot *most)
 {
     const struct dem_interaction_table *const r = &p->state->interaction_table;

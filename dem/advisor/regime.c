@@ -131,7 +131,7 @@ static void set_fluid_numbers(const struct dem_plan *p, struct dem_regime *g)
     g->flow = given->given ? length(given->velocity) : p->run.speed;
     g->vorticity = given->given ? length(given->vorticity) : p->run.vorticity;
     g->stress = given->given ? length(given->stress) : 0.0;
-    /* particles lighter than the fluid rise: their slip is that of a single sphere */
+    /* particles lighter than the fluid rise with the slip of a single sphere */
     g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : dem_suspension_single_sphere_velocity(b)
                                     : 0.0,
                    g->flow);

@@ -36,7 +36,7 @@ struct fastest
     int64_t id;
 };
 
-/* The fastest particle of all ranks; of equally fast ones, that of the lowest rank. */
+/* The fastest particle of all ranks; of equally fast ones, the one on the lowest rank. */
 static struct fastest find_fastest(const struct dem_program *prog, const struct dem *d)
 {
     struct fastest f = {.speed = -1.0, .id = -1};

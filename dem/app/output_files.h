@@ -24,7 +24,7 @@ struct dem_output
     int64_t keep;          /* of all snapshots only the last so many; 0: all */
     bool orientation;      /* of each particle, in VTK files and snapshots */
     bool profile;          /* print the profile at the end */
-    double start;          /* s  of this run: 0, or that of its snapshot */
+    double start;          /* s  of this run: 0, or the time of its snapshot */
     bool last_good;        /* keep backups in memory, and write the last one when the run fails */
 };
 

@@ -153,7 +153,7 @@ static int check_end(const struct dem_schedule *s, struct dem *d)
     return DEM_OK;
 }
 
-/* A scene may also be that of a coupled run: its entry `coupling` is accepted unread, and
+/* A scene may also belong to a coupled run: its entry `coupling` is accepted unread, and
    reported. */
 static int accept_coupling(const struct dem_dict *scene, int *present)
 {

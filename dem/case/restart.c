@@ -38,7 +38,7 @@ static int has_mark(const char *text, const char *mark, const char *name)
     return 0;
 }
 
-/* The groups that were inserted before, and those of this scene. */
+/* The groups inserted before and the groups of this scene. */
 static void add_marks(const struct dem *d, struct dem_text *t)
 {
     const char *const before = d->start_checked || !d->before.text ? "" : d->before.text;
@@ -178,7 +178,7 @@ static int is_section(const struct dem_scene_line *l)
     return !memchr(l->path, '/', l->length);
 }
 
-/* The line behind those of the same dictionary. */
+/* The first line after the dictionary that begins at line k. */
 static size_t skip(const struct dem_scene_lines *all, size_t k)
 {
     const struct dem_scene_line *const head = &all->line[k];

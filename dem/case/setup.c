@@ -171,7 +171,7 @@ static int refuse_overlap(struct dem_state *p, double limit, unsigned flags)
     return DEM_OK;
 }
 
-/* A state of a snapshot that was made in other walls may overlap those of this run. A soft bed that
+/* A snapshot that was made in other walls may overlap the walls of this run. A soft bed that
    has settled in the same walls overlaps them too, but not more than its particles overlap each
    other; in a state in motion it may be twice as much. */
 static int refuse_other_walls(struct dem *d)

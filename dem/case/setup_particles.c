@@ -236,7 +236,7 @@ static unsigned column_groups(const struct dem *d)
     return groups;
 }
 
-/* A snapshot may come from a run with added mass; each window adds that of this run. */
+/* A snapshot may come from a run with added mass; each window adds the mass of this run. */
 static void remove_added_mass(struct dem_particles *p)
 {
     for (size_t i = 0; i < p->n; i++)

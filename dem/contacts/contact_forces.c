@@ -205,7 +205,7 @@ static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_
     return DEM_OK;
 }
 
-/* Behind the ring: the slot without a row, then those of walls, then the deferred ones. */
+/* After the ring: the slot without a row, the slots of walls, the deferred slots. */
 static int list_own_slots(struct dem_contact_forces *c, const struct dem_contact_rows *r,
                           uint32_t walls, size_t deferred)
 {

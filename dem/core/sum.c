@@ -128,7 +128,7 @@ static uint64_t nearest(const int64_t *limb, int top)
 {
     if (top < MANTISSA)
     {
-        /* exact: the bits of the double are those of the integer */
+        /* exact: the double has the bits of the integer */
         return window(limb, MANTISSA - 1) >> 11;
     }
 

@@ -68,7 +68,7 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     return c;
 }
 
-/* A mean diameter is that of parcels: with one ratio, l times that of the grains. */
+/* A mean diameter is the parcels': with one ratio, l times the grains'. */
 static int check_parcels(const struct dem_interaction_table *r, const struct dem_effect_entry *e)
 {
     const struct dem_effect *const effect = e->effect;

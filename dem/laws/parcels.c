@@ -11,6 +11,6 @@ const struct dem_scalar dem_parcel_ratio = {
     .default_value = DEM_SETTING_REQUIRED,
     .min = 1.0,
     .max = 1000.0,
-    .help = "diameter of a parcel over that of the grains it stands for",
+    .help = "diameter of a parcel over the diameter of the grains it stands for",
     .flags = DEM_SCALAR_WRITTEN,
 };

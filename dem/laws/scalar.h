@@ -49,7 +49,7 @@ enum dem_scalar_flag
 enum dem_scalar_column
 {
     DEM_SCALAR_SOURCE,        /* in   unit C/s  explicit source */
-    DEM_SCALAR_COEFFICIENT,   /* in   C/s       coefficient, beside those of effects, */
+    DEM_SCALAR_COEFFICIENT,   /* in   C/s       coefficient, besides the effects', */
     DEM_SCALAR_TARGET,        /* in   unit      and its target */
     DEM_SCALAR_RECEIVED,      /* out  unit C    by all coefficients, J of the window */
     DEM_SCALAR_TIME,          /* out  C         sum of B h */

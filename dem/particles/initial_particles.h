@@ -30,7 +30,7 @@ struct dem_initial_particles
 {
     size_t n, capacity;
     struct dem_particle *particle;
-    int scalars;                  /* values per particle in the next array: those of the table */
+    int scalars;                  /* values per particle in the next array, from the table */
     double *scalar, default_scalar[DEM_SCALARS];
     size_t scalar_capacity;
     int64_t next_id;

@@ -136,7 +136,7 @@ void dem_halo_select_candidates(struct dem_halo *h, const struct dem_particles *
 
 /* ---- refreshing ------------------------------------------------------------------------------ */
 
-/* A count fits an int: it is smaller than that of the message that built these ghosts. */
+/* A count fits an int: the message that built these ghosts was larger. */
 static void post(struct dem_halo *h, enum dem_halo_set which, int width)
 {
     const struct dem_halo_route *const to = &h->send[which], *const from = &h->receive[which];

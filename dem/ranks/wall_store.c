@@ -447,7 +447,7 @@ static int gather_records(const struct dem_decomposition *d, int status,
     return status;
 }
 
-/* Behind n records those of the triangles held of other walls at rest or in a reference frame. */
+/* After n records, those for triangles of other walls at rest or in a reference frame. */
 static int hold_besides(struct dem_walls *w, int wall, struct dem_wall_record *all, size_t n)
 {
     for (size_t t = 0; t < w->triangles; t++)

@@ -30,7 +30,7 @@ int dem_bonds_record(struct dem_state *, const struct dem_contact_batch *, uint3
 /* List the intact bonds whose lower particle this rank owns, in `intact`; `n`: their number. */
 int dem_bonds_list(struct dem_state *, int64_t *n);
 
-/* Collective; the status is that of this rank. Write the intact bonds as lines to `file` of the
+/* Collective; returns this rank's status. Write the intact bonds as lines to `file` of the
    folder (VTK), and an entry for it to bonds.pvd there. Writes nothing for a state just read or
    restored, whose bonds are not known before the next sweep. */
 int dem_bonds_write_lines(struct dem_state *, const char *says, const char *folder,

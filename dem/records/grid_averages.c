@@ -254,7 +254,7 @@ static void ratio(const double *mean, double *out)
     out[0] = mean[WEIGHT] > 0.0 ? mean[WEIGHTED]/mean[WEIGHT] : 0.0;
 }
 
-/* The name of the mean of a scalar: that of the scalar, or particleName where one of `fields` has it. */
+/* The mean of a scalar has the scalar's name, or particleName if one of `fields` has that name. */
 static void name_scalar(const char *scalar, const struct dem_averages_quantity *field, int fields,
                         char name[NAME])
 {

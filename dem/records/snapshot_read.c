@@ -80,7 +80,7 @@ static int check_caller_data(struct dem_parallel_file *s, const struct dem_snaps
     return DEM_OK;
 }
 
-/* Collective. Verify the checksum of the whole file; `sum` is that of this rank's particles.
+/* Collective. Verify the checksum of the whole file; `sum` covers this rank's particles.
    Closes the file. */
 static int verify(struct dem_parallel_file *s, const char *path, const struct dem_decomposition *q,
                   const struct dem_snapshot_header *h, uint64_t sum)

@@ -15,7 +15,7 @@ enum
                                   processor clock */
     LONG_ADVANCE = 50000,    /* particle-steps, 3 ms: 1000 times two such readings */
     LONG_REBUILD = 4000,     /* particles whose rebuild takes as long */
-    STEP_WITHOUT_PARTICLES = 20  /* particles: the cost of a step beside that of its particles */
+    STEP_WITHOUT_PARTICLES = 20  /* particles that cost as much as the rest of a step */
 };
 
 enum
@@ -90,7 +90,7 @@ void dem_timers_begin_advance(struct dem_timers *t, size_t particles, int64_t st
     t->measured = t->advance_measured;
 }
 
-/* The time since the last phase is that of the last half kick. */
+/* The last half kick takes the time since the last phase. */
 void dem_timers_end_advance(struct dem_timers *t)
 {
     end_phase(t, DEM_PHASE_BODIES, t->measured || t->advance_measured);

@@ -320,7 +320,7 @@ void dem_totals_max_overlap(struct dem_state *p, unsigned flags, struct dem_over
     }
 }
 
-/* Each rank gives its own; the largest is that of all, the lowest id among equal ones. */
+/* Each rank gives its own; returns the largest of all ranks, of equal ones the lowest id. */
 static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap *worst)
 {
     const struct dem_collect_items own = {"overlaps", worst, 1, sizeof *worst};

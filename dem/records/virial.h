@@ -20,7 +20,8 @@
 #include "ranks/dem_state.h"
 
 /* W of each owned particle from the contact forces of the last sweep, xx yy zz xy yz zx, the shear
-   components as the mean of ab and ba; 6 numbers each. Positions must be those of that sweep. */
+   components as the mean of ab and ba; 6 numbers each. Positions must not have
+   changed since that sweep. */
 void dem_virial_sum(const struct dem_state *, double *virial);
 
 #endif

@@ -119,7 +119,7 @@ static void put_time(FILE *f, double time)
     fputs(text, f);
 }
 
-/* Copy the entries before this time, except those of this file. */
+/* Copy the entries before this time, without this file's. */
 static int copy_entries(FILE *f, const char *path, const char *old, double time, const char *file)
 {
     DEM_REQUIRE(

@@ -105,7 +105,7 @@ static int add_images(struct inlet_grid *grid, const double x[3], double radius,
     return DEM_OK;
 }
 
-/* Collective; `status`: of this rank. The spheres of all ranks replace those of this rank. */
+/* Collective; `status`: of this rank. The spheres of all ranks replace this rank's. */
 static int gather(struct dem_state *p, struct inlet_grid *grid, int status)
 {
     const struct dem_collect_items own = {"particles near the inlet of a stream", grid->body,

@@ -367,7 +367,7 @@ static int read_type(struct dem_insert_group *b, const struct dem_interaction_ta
     }
 }
 
-/* Diameters of a list or table are those of grains; each parcel has its ratio, or that of the group. */
+/* Diameters of a list or table are for grains; each parcel has its own ratio, or the group's. */
 static int enlarge_grains(struct dem_insert_group *b, const double *ratios)
 {
     const double grain = b->diameter;

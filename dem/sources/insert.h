@@ -42,13 +42,13 @@ void dem_insert_free(struct dem_insertion *);
 const char *dem_insert_name(const struct dem_insertion *, size_t k);
 void dem_insert_drop(struct dem_insertion *, size_t k);
 
-/* Extend the ranges of radii [m], one a material, by those of the groups; 0 means none yet. */
+/* Extend the ranges of radii [m], one a material, by the groups' radii; 0 means none yet. */
 void dem_insert_radii(const struct dem_insertion *, double *min, double *max);
 
-/* Extend the range of ratios of parcels by those of the groups. */
+/* Extend the range of ratios of parcels by the groups' ratios. */
 void dem_insert_ratios(const struct dem_insertion *, struct dem_interaction_table *);
 
-/* The first id above those of all groups. Refuse an id that occurs twice, in the groups or among
+/* The first id above the ids of all groups. Refuse an id that occurs twice, in the groups or among
    these n others. */
 int64_t dem_insert_next_id(const struct dem_insertion *);
 int dem_insert_refuse_duplicates(const struct dem_insertion *, size_t n, const int64_t *id);

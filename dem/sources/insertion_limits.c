@@ -47,7 +47,7 @@ static int find_wall(const struct dem_walls *w, const char *name)
     return wall < w->walls ? wall : -1;
 }
 
-/* The walls are not finished yet: their triangles are those of the scene. */
+/* The walls are not finished yet: their triangles are as the scene gives them. */
 static int read_wall(struct dem_closed_surface *s, const struct dem_walls *w, int wall)
 {
     size_t n = 0;

@@ -38,7 +38,7 @@ struct dem_insertion_shape
                                              cylinder */
     struct dem_insertion_limits *limits;  /* further limits, which belong to the group, or NULL */
     double region;                        /* m3  of the whole mesh or zone, when that is the shape;
-                                             0: that of the box, cylinder or sphere */
+                                             0: the volume of the box, cylinder or sphere */
 };
 
 /* Read the shape of a group. An error unless exactly one of the three is given. */

@@ -42,7 +42,7 @@ struct dem_stream
     double start, end;                       /* s */
     double velocity[3], spread[3], spin[3];  /* m/s, 1/s; velocities are uniform
                                                 in velocity +- spread */
-    int with_fluid;                          /* 1: the velocity is that of the fluid at the patch */
+    int with_fluid;                          /* 1: with the velocity of the fluid at the patch */
     struct dem_scalar_entry scalar[DEM_SCALARS];
     double ratio;                                /* 1  of its parcels; 1: none */
 };
@@ -80,7 +80,7 @@ void dem_streams_free(struct dem_streams *);
    none so far. */
 void dem_streams_radii(const struct dem_streams *, double *min, double *max);
 
-/* Extend the range of ratios of parcels by those of the streams. */
+/* Extend the range of ratios of parcels by the streams' ratios. */
 void dem_streams_ratios(const struct dem_streams *, struct dem_interaction_table *);
 
 /* Refuse inlets that lie outside the domain, and patches that no mesh has supplied. */

@@ -188,7 +188,7 @@ void dem_body_batch_gather(struct dem_body_workspace *t, const struct dem_partic
     gather_forces(t, rows);
 }
 
-/* The velocity of the fluid at a particle is that of the mean flow and of the eddy it is in. */
+/* The fluid's velocity at a particle is the mean flow's plus the velocity of the eddy around it. */
 static void add_fluctuations(struct dem_body_batch *b, const struct dem_particles *p, size_t first,
                              int rows)
 {

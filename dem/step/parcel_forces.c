@@ -26,7 +26,7 @@ enum
     RESULTS = 10 + 3*DEM_EFFECT_SCALARS
 };
 
-/* radius, mass, volume, mean diameter of parcels, while the batch has those of grains */
+/* radius, mass, volume, mean diameter of parcels; the batch has the values of grains */
 struct sizes
 {
     double of[SIZES][DEM_BATCH_ROWS];

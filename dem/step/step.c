@@ -212,7 +212,7 @@ static double drift_particles(struct dem_state *p)
     return dem_drift_max_speed(&speeds);
 }
 
-/* 1. From here on p->time and p->steps are those of the end of the step. Returns the largest speed
+/* 1. From here on p->time and p->steps refer to the end of the step. Returns the largest speed
    of this rank [m/s]. */
 static double drift(struct dem_state *p, double kick)
 {
@@ -231,7 +231,7 @@ static double drift(struct dem_state *p, double kick)
     return max_speed;
 }
 
-/* The largest displacements [m] in the steps since the last agreement become those of all ranks. */
+/* Take the largest displacements [m] of all ranks in the steps since the last agreement. */
 static int agree_now(struct dem_state *p, double max[DEM_UNAGREED_STEPS + 1])
 {
     struct dem_unagreed *const u = &p->unagreed;

@@ -20,7 +20,7 @@ _Static_assert(sizeof(struct dem_contact_force) == 8 << DEM_ENTRY_SLOT_SHIFT &&
                    sizeof(struct dem_contact_moment) == 4 << DEM_ENTRY_SLOT_SHIFT,
                "records of a slot follow from an entry without a shift");
 
-/* The record of an entry's slot: `bytes` are those of a record over 2^DEM_ENTRY_SLOT_SHIFT. */
+/* The record of an entry's slot: `bytes` are the bytes of a record over 2^DEM_ENTRY_SLOT_SHIFT. */
 __attribute__((always_inline)) static inline const void *record_of(const void *records,
                                                                    uint32_t entry, size_t bytes)
 {

@@ -152,7 +152,7 @@ struct applied    /* on the particles of a batch */
     int any[DEM_BATCH_ROWS];
 };
 
-/* Forces join those of the body effects, before the kick. */
+/* Forces join the forces of body effects, before the kick. */
 static void add_applied(struct applied *a, struct dem_body_batch *b, const struct dem_body_sweep *s,
                         const struct dem_particle *record, int rows)
 {

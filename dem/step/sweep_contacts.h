@@ -14,7 +14,7 @@
    above the limit; the message names the partners.
    Interleaved with it is the sweep over the particles: those whose rows are all computed are summed,
    and kicked if the pass says so, while their contact forces are in cache. No later row reads them.
-   Particles that are left at the end are those of dem_bodies_work_until. `bodies`: NULL, if no sums
+   Particles left at the end are for dem_bodies_work_until. `bodies`: NULL, if no sums
    are wanted. */
 int dem_sweep_contacts_and_bodies(struct dem_state *, double dt, const double time[2],
                                   struct dem_body_pass *bodies);

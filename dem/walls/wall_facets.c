@@ -398,7 +398,7 @@ static int number_facets(struct dem_walls *w, struct link *link)
     return DEM_OK;
 }
 
-/* The plane of a facet is that of its largest triangle, the first of equally large ones. */
+/* A facet has the plane of its largest triangle, the first of equally large ones. */
 static int choose_planes(struct dem_walls *w)
 {
     double *largest, n[3];

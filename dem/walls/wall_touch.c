@@ -181,7 +181,7 @@ static void inner_point(const struct dem_wall_search *s, const struct dem_walls 
 
 /* What becomes of contact a: of the facets on which its nearest point lies the one nearest to the
    particle decides. Where a rises from that facet, on the particle's side, the surface of a is
-   continued beyond the edge; else the contact is that of the other facet. */
+   continued beyond the edge; else the other facet has the contact. */
 static int fate(const struct dem_wall_search *s, const struct dem_walls *w, size_t a, size_t first,
                 size_t end, const struct dem_particle *i, const struct dem_wall_touch *touch)
 {

@@ -119,7 +119,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         DEM_ERROR_INPUT,
         "stokes: fluidDensity %g kg/m3, but the fluid of the run has %g kg/m3; remove fluidDensity from stokes",
         stokes->fluid_density, pair->fluid_density);
-    /* St of a parcel is l times that of the grain */
+    /* St of a parcel is l times the grain's */
     DEM_TRY(dem_parcels_scale(pair, "stokes", "beta", 1, &stokes->beta));
     stokes->density = stokes->fluid_density > 0.0 ? stokes->fluid_density : pair->fluid_density;
     DEM_REQUIRE(

@@ -90,7 +90,7 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
     }
 }
 
-/* The factor of Zuber is 1 or more; that of Felderhof is less for bubbles, and is not counted on. */
+/* Zuber's factor is 1 or more. Felderhof's is less for bubbles and is not counted on. */
 static double least_added_mass(const void *of)
 {
     const struct virtual_mass *const own = of;

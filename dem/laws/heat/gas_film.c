@@ -42,7 +42,7 @@
 struct gas_film
 {
     double conductivity, min_gap, thickness;
-    double real_overlap;    /* that of the real material over that of the scene [1] */
+    double real_overlap;    /* of the real material, over the scene's [1] */
     double wall;            /* 1: the class is one with walls */
 };
 

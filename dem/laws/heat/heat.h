@@ -30,7 +30,7 @@ static inline double dem_heat_min_capacity(const struct dem_pair_class *pair)
     return pair->with_wall || a < b ? a : b;
 }
 
-/* E* of the real materials [Pa]: that of the scene where no real modulus is given. */
+/* E* of the real materials [Pa]; without a real modulus, E* of the scene. */
 static inline double dem_heat_real_modulus(const struct dem_pair_class *pair)
 {
     const struct dem_material *const m[2] = {pair->a, pair->b};

@@ -1,6 +1,6 @@
 """_library.py -- loads the core, with the declarations of its public headers.
 
-The headers themselves are read, so that structs and calls cannot differ from those of the library.
+It reads the headers themselves, so structs and calls cannot differ from the library's.
 In the source tree these are dem/include and dem/build/libdem.so (make -C dem); an installed package
 has copies beside this file.
 

@@ -3,7 +3,7 @@
 Quantities, means over the samples: kinetic energy by mass, height of the centre and of 95 % of the
 volume, largest overlap, least void fraction of a cell; the largest force on a wall; the difference
 of pressure between patches. Scales of errors: heights, the mean diameter; kinetic energy, at least
-1e-6 of that of a fall by one diameter; others, the reference.
+1e-6 of its value after a fall by one diameter; others, the reference.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -3,7 +3,7 @@ series of the interval of exchange (the fluid's step), DEM step, kernel, its wid
 stiffness.
 
 Each run is a copy of the case with settings appended to its dictionaries; the case is never changed.
-A run's step is such that samples lie on steps. The processor time is that of the steps; the first
+A run's step is such that samples lie on steps. The processor time covers the steps; the first
 one, which includes the start of the run, counts as the mean of the others.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -90,7 +90,7 @@ class CaseStudy:
                           "time between two samples; give a -window that makes it one")
 
     def prepare_folder(self):
-        """The folder of the results; with -continue, the runs in it are those of the same study."""
+        """The folder of the results; with -continue, its runs belong to the same study."""
         o = self.options
         asked = (f"{self.case.folder} from {self.case.start_name} s, window {self.window:g} s, deltaT "
                  f"{self.step:g} s, {o.runs} runs, {self.samples} samples, kernel {self.case.kernel} "

@@ -23,7 +23,7 @@ import re
 
 import numpy
 
-# effects under which two bodies that part are free: those of contacts, and films that only attract
+# effects under which two bodies that part are free: contact laws, and films that only attract
 LOSSLESS = {"hertz", "hooke"}
 ONLY_CONTACT = LOSSLESS | {"dry", "viscous", "stokes", "hookeHysteresis", "linear", "mindlin",
                            "mindlinIncremental", "rollingConstant", "rollingSpring",

@@ -1,7 +1,7 @@
 """scene.py -- the study of a scene of the program dem: its window, its series, and the runs of their
 levels, each from a fresh start of the scene.
 
-Nothing is written by the runs, and there is no energy balance. The processor time is that of the
+Nothing is written by the runs, and there is no energy balance. The processor time covers the
 steps, with neighbor lists and migration; reading the scene and sampling are not counted. Impulses on
 walls are summed only if forces on walls are reported.
 

@@ -5,7 +5,7 @@ Paired series (laws of friction, effects) are compared with the base run
 by run, with the same steps in both: the error is the root mean square of the differences. If the
 trajectories have diverged (it exceeds a quarter of the scatter of runs), the means are compared.
 
-The processor time of a level is that of its fastest run, per step, as other work on the machine can
+The processor time of a level is the time per step of its fastest run, as other work on the machine can
 only add to it.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -63,7 +63,7 @@ class Series:
     parameter: str                  # "step"
     description: str
     entry: str = "time/step"        # what a user changes
-    exact: bool = False             # the exact solution is that of the scene: closed forms hold
+    exact: bool = False             # the exact solution is the scene's: closed forms hold
     paired: bool = False            # levels are compared with the base, the last one, run by run
     levels: list = field(default_factory=list)          # from coarse to fine
     base: int = -1                  # level of the scene as it is; -1: none
@@ -71,7 +71,7 @@ class Series:
     analysis: dict = field(default_factory=dict)        # by quantity that is reported
 
     def times(self, level):
-        """Its processor time over that of the base."""
+        """Its processor time over the base's."""
         return level.seconds/self.levels[self.base].seconds if self.base >= 0 else math.nan
 
 

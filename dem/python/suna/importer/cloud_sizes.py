@@ -2,7 +2,7 @@
 
     sizes(d, by, report)        "diameter 2.5e-3;", or "sizes { type ...; by ...; ... }"
 
-The formulas are those of OpenFOAM v1912, src/lagrangian/distributionModels:
+The formulas follow OpenFOAM v1912, src/lagrangian/distributionModels:
 
     normal          density exp(-((x - expectation)/variance)^2): its deviation is variance/sqrt(2)
     RosinRammler    1 - exp(-((x - minValue)/d)^n)

@@ -45,7 +45,7 @@ def read_dem_script(path, top, report):
 
 
 class CoupledScript(Translation):
-    """A script whose numbers stay in its units: those of the mesh and of the fields beside it."""
+    """A script whose numbers stay in its units, which the mesh and the fields beside it use, too."""
 
     speed = 1.0         # 1 m/s in these units
 

@@ -5,7 +5,7 @@ Operators by rising precedence: ||, &&, == !=, < <= > >=, + -, * / %, ^, and - a
 All are left-associative, as in LIGGGHTS, where -2^2 is 4. Angles are in rad.
 
 A value that only a run has (thermo keywords, computes, fixes, particles) raises Dynamic with its
-word. Random numbers are those of Python, not of LIGGGHTS.
+word. Random numbers come from Python, not from LIGGGHTS' generator.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -1,7 +1,7 @@
 """liggghts_particles.py -- particles that a script names one by one (create_atoms, read_data), and
 tables of particles from data files and dumps.
 
-A data file is that of atom_style granular or sphere: id, type, diameter, density, x, y, z. A dump
+A data file has atom_style granular or sphere: id, type, diameter, density, x, y, z. A dump
 is that of `dump custom`, with the columns x y z (or xu) and radius or diameter. Its last frame
 counts.
 

@@ -39,7 +39,7 @@ class Region:
         return a, b, c
 
     def bounds(self):
-        """Corners of the box around it; of `side out` those of all space."""
+        """Corners of the box around it; for `side out`, all space."""
         n = self.numbers
         if self.outside:
             return numpy.full(3, -math.inf), numpy.full(3, math.inf)
