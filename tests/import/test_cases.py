@@ -716,7 +716,7 @@ def cfdem_forces():
 
 def exchange():
     """momentum coupling, coupling interval, data exchange, commands, solver"""
-    assert cfdem_case().has(APPROXIMATED, "implicitCouple", "deferred")
+    assert cfdem_case().has(APPROXIMATED, "implicitCouple", "keeps momentum")
     assert cfdem_case(coupling={"    implicitCouple": "explicitCouple"}).has(APPROXIMATED, "explicitCouple")
     for new in ("off", ""):
         d = cfdem_case(coupling={"    implicitCouple": new}).d.sub("coupling")
