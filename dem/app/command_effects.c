@@ -12,8 +12,8 @@
 static const char help[] =
     "Usage: dem effects [NAME ...]\n\n"
     "Lists all effects, or those named: name, stage, what it does, source; then each\n"
-    "setting with unit, default, range and meaning. The names are those of the scene's\n"
-    "effects { ... }.\n";
+    "setting with unit, default, range and meaning. The names are the words of\n"
+    "effects { ... } in a scene.\n";
 
 /* Print the text of one effect, or of all (NULL). */
 static int print_effect(struct dem *d, const char *effect)

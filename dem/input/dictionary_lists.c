@@ -181,7 +181,7 @@ static const char *owner_of(const struct dem_dict *d)
     return *path ? path : "top level";
 }
 
-/* Messages of the dictionary contain the location; to those of the settings table it is added. */
+/* Messages of the dictionary have the location; it is added to messages of the settings table. */
 static int read_setting(const struct dem_dict *d, const struct dem_setting *table,
                         const struct dem_setting *f, void *settings)
 {

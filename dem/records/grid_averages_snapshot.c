@@ -3,8 +3,8 @@
  *
  * For each grid, and for each scalar on it: a record (struct dem_grid_average_record, stored raw),
  * the block sums, the sums of all samples; cells times columns numbers each. The record of a scalar
- * is named SCALAR/GRID; no grid has a / in its name. The bits are the machine's, like those of the
- * whole snapshot, which also has the checksum.
+ * is named SCALAR/GRID; no grid has a / in its name. Numbers are stored in the machine's format,
+ * as in the whole snapshot, which also has the checksum.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -23,8 +23,8 @@
  * 0 gives e_max. No logarithm is taken in the loop.
  *
  * Added mass (in St only; the motion itself is not changed here): each particle counts m_i + C_M
- * rho_f V_i, with C_M = 1/2 wherever the fluid's density is known (fluidDensity, or that of the
- * run), as in the fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M
+ * rho_f V_i, with C_M = 1/2 wherever the fluid's density is known (fluidDensity, or the run's
+ * density), as in the fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M
  * rho_f/rho_p, m* becomes f_a m* at a wall and f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m*
  * in a pair. This is exact at a wall, for two particles of equal density and any sizes, and for two
  * of equal size and any densities; for unequal sizes and densities it lies between f_a and f_b
