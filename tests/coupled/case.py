@@ -1,0 +1,344 @@
+"""Cases of the coupled tests: write, run, read fields and tables, compare.
+
+A test is tests/coupled/NAME/test.py. It prints TAP; ./run runs all of them, `./run NAME ...` some.
+
+    from case import *
+
+    case = Case()                        # shared/ and the test's folder, copied into a folder of its own
+    case.edit("system/controlDict", endTime=0.002)
+    case.run("blockMesh")
+    case.run("demPimpleFoam", ranks=2)
+    claim_ran("runs", case)
+    claim("exchange closes", worst(case.log("demPimpleFoam"), "exchange error") < 1e-12)
+    U = case.field("0.04/U.particles")   # one row a cell
+    finish()
+
+A claim about numbers that are not there fails: a missing file or line gives an exception, which
+fails the claim when the condition is a function, `claim("what", lambda: ...)`, and else ends the
+test with a line "not ok".
+
+SUNA_KEEP=1 keeps the cases, SUNA_TEST_LIMIT is the limit of one command [s].
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import atexit
+import csv
+import math
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+from pathlib import Path
+
+import numpy as np
+
+__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "close", "difference", "finish", "head",
+           "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash", "subprocess",
+           "sys", "thorough", "time", "until", "work", "worst"]
+
+here = Path(sys.argv[0]).resolve().parent             # the folder of the test
+coupled = Path(__file__).resolve().parent
+limit = float(os.environ.get("SUNA_TEST_LIMIT", 600))
+thorough = bool(os.environ.get("SUNA_LONG"))          # ./Alltest -long: all ranks, compilers and cases
+brief = bool(os.environ.get("SUNA_QUICK"))            # ./Alltest quick
+work = Path(tempfile.mkdtemp())
+if not os.environ.get("SUNA_KEEP"):
+    atexit.register(shutil.rmtree, work, True)
+signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+
+# ---- TAP -------------------------------------------------------------------------------------------
+
+claims = 0
+failures = 0
+
+
+def claim(what, condition, *notes):
+    """Print "ok" when the condition, or what it returns, is true; else "not ok" with the notes."""
+    global claims, failures
+    claims += 1
+    if callable(condition):
+        try:
+            condition = condition()
+        except Exception:
+            notes += (traceback.format_exc(),)
+            condition = False
+    print(f"{'ok' if condition else 'not ok'} {claims} - {what}")
+    if not condition:
+        failures += 1
+        for note in notes:
+            print("#   " + str(note).rstrip().replace("\n", "\n#   "))
+    sys.stdout.flush()
+    return bool(condition)
+
+
+def skip(what, why):
+    global claims
+    claims += 1
+    print(f"ok {claims} - {what} # SKIP {why}", flush=True)
+
+
+def claim_ran(what, case, command="demPimpleFoam"):
+    """The last run of this command in the case has ended with the line End; else show the end of its log."""
+    log = case.log(command)
+    claim(what, re.search("^End", log, re.M), *log.splitlines()[-25:])
+
+
+def finish():
+    print(f"1..{claims}")
+    sys.exit(1 if failures or not claims else 0)
+
+
+def _unexpected(kind, value, trace):
+    claim("the test runs to its end", False, "".join(traceback.format_exception(kind, value, trace)))
+    print(f"1..{claims}", flush=True)
+
+
+sys.excepthook = _unexpected
+
+# ---- cases -----------------------------------------------------------------------------------------
+
+
+class Run:
+    """A command that has ended: .status (124: ended at the limit) and .log, the text that it printed."""
+
+    def __init__(self, status, log):
+        self.status, self.log = status, log
+
+    def __bool__(self):
+        return self.status == 0
+
+
+class Case:
+    """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it."""
+
+    def __init__(self, name="case", source=here):
+        self.path = work/name
+        shutil.rmtree(self.path, ignore_errors=True)
+        for folder in (coupled/"shared", coupled/source):
+            shutil.copytree(folder, self.path, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
+        if (self/"0.orig").is_dir():
+            shutil.copytree(self/"0.orig", self/"0", dirs_exist_ok=True)
+
+    def __truediv__(self, name):
+        return self.path/name
+
+    def read(self, name):
+        return (self/name).read_text(errors="replace")
+
+    def write(self, name, text):
+        (self/name).parent.mkdir(parents=True, exist_ok=True)
+        (self/name).write_text(text)
+
+    def append(self, name, text):
+        with open(self/name, "a") as file:
+            file.write(text)
+
+    def copy(self, source, name):
+        """Copy a file or folder, given relative to tests/coupled or absolute, into the case."""
+        source = coupled/source
+        (self/name).parent.mkdir(parents=True, exist_ok=True)
+        if source.is_dir():
+            shutil.copytree(source, self/name, dirs_exist_ok=True)
+        else:
+            shutil.copy(source, self/name)
+
+    def remove(self, *patterns):
+        """Remove files and folders, given as glob patterns."""
+        for pattern in patterns:
+            for path in self.path.glob(pattern):
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
+
+    def sub(self, name, pattern, to, count=0):
+        """Replace a regular expression (^ and $ match at lines) in a file. An error when nothing matches."""
+        text, n = re.subn(pattern, to, self.read(name), count, re.M)
+        if n == 0:
+            raise ValueError(f"{name} has nothing like '{pattern}'")
+        self.write(name, text)
+
+    def edit(self, name, **entries):
+        """Set entries that stand at the beginning of a line of a dictionary: edit("system/controlDict", endTime=1).
+        An entry that is not there is added."""
+        text = self.read(name)
+        for key, value in entries.items():
+            text, n = re.subn(rf"^{key}\b[^;]*;", lambda _: f"{key} {value};", text, 0, re.M)
+            if n == 0:
+                text += f"\n{key} {value};\n"
+        self.write(name, text)
+
+    def run(self, *command, ranks=1, log=None, limit=limit, env=None, options=()):
+        """Run a command; on several ranks with -parallel, under mpirun with these options. What it prints is in
+        log.<command>, or in `log`; returns a Run."""
+        name = log or "log." + command[0]
+        command = [str(word) for word in command]
+        if ranks > 1:
+            command = ["mpirun", "-np", str(ranks), *options, *command, "-parallel"]
+        with open(self/name, "w") as out:
+            process = subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
+                                       stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path), **(env or {})},
+                                       start_new_session=True)
+            status = _wait(process, limit)
+        return Run(status, self.read(name))
+
+    def start(self, *command, ranks=1, log=None):
+        """Start a command in the background; returns the process, for which ended() waits."""
+        command = [str(word) for word in command]
+        if ranks > 1:
+            command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
+        with open(self/(log or "log." + command[0]), "w") as out:
+            return subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
+                                    stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+
+    def ended(self, process, limit=limit):
+        """Wait for a process; returns its status, or None when it had to be killed at the limit."""
+        status = _wait(process, limit)
+        return None if status == 124 else status
+
+    def log(self, command="demPimpleFoam"):
+        """What the last run of this command has printed."""
+        return self.read("log." + command)
+
+    def found(self, pattern, command="demPimpleFoam"):
+        """The match of the last line of the log that has this expression, or None."""
+        last = None
+        for last in re.finditer(pattern, self.log(command), re.M):
+            pass
+        return last
+
+    def numbers(self, pattern, command="demPimpleFoam"):
+        """All that the groups of an expression match in the log, as an array: one row a match."""
+        return np.array([[float(group) for group in match.groups()]
+                         for match in re.finditer(pattern, self.log(command), re.M)])
+
+    def vectors(self, word, line, command="demPimpleFoam"):
+        """The vectors after this word, `word (x y z)`, in the lines of the log that have `line` before it."""
+        found = re.findall(rf"{line}.* {word} \(([^)]*)\)", self.log(command))
+        return np.array([[float(x) for x in vector.split()] for vector in found])
+
+    def times(self, folder="."):
+        """The names of the written times, in ascending order, without 0."""
+        names = [path.name for path in (self/folder).iterdir()
+                 if path.is_dir() and re.fullmatch(r"[0-9.]+(e[-+]?[0-9]+)?", path.name) and float(path.name) > 0]
+        return sorted(names, key=float)
+
+    def field(self, name, cells=None):
+        """The internal field of an ASCII field file, or the list of a lagrangian one: a vector of numbers for a
+        scalar, one row an entry for others. A uniform field has one entry, or as many as `cells`."""
+        return read_field(self/name, cells)
+
+    def table(self, name):
+        """A CSV file as a dictionary of columns by the names of its first line, without units in brackets; of the
+        pattern `name`, the first file. Columns that are not numbers are lists of text."""
+        path = next(iter(sorted(self.path.glob(name))), self/name)
+        with open(path, newline="") as file:
+            rows = list(csv.reader(file))
+        columns = {}
+        for k, head in enumerate(rows[0]):
+            column = [row[k] for row in rows[1:]]
+            try:
+                column = np.array([float(x) for x in column])
+            except ValueError:
+                pass
+            columns[re.sub(r"\[.*\]$", "", head.strip())] = column
+        return columns
+
+
+def _wait(process, limit):
+    try:
+        return process.wait(limit)
+    except subprocess.TimeoutExpired:
+        pass
+    group = os.getpgid(process.pid) == process.pid
+    for number in (signal.SIGTERM, signal.SIGKILL):
+        (os.killpg if group else os.kill)(process.pid, number)
+        try:
+            process.wait(5)
+            break
+        except subprocess.TimeoutExpired:
+            pass
+    return 124
+
+
+def until(condition, seconds=60):
+    """Wait until the condition, a function, is true; returns what it returned last."""
+    end = time.monotonic() + seconds
+    while not (value := condition()) and time.monotonic() < end:
+        time.sleep(0.05)
+    return value
+
+# ---- fields, tables, snapshots ---------------------------------------------------------------------
+
+
+def read_field(path, cells=None):
+    """See Case.field."""
+    text = Path(path).read_text()
+    text = text[text.index("}", text.index("FoamFile")) + 1:]
+    if (start := text.find("internalField")) >= 0:
+        text = text[start:]
+        if uniform := re.match(r"internalField\s+uniform\s+([^;]*);", text):
+            return _repeated(uniform[1], cells or 1)
+    listed = re.search(r"(\d+)\s*([({])", text)
+    if not listed:
+        raise ValueError(f"{path} has no list of numbers")
+    n, text = int(listed[1]), text[listed.end():]
+    if listed[2] == "{":                              # N{entry}: all are equal
+        return _repeated(text[:text.index("}")], n)
+    depth = 1
+    for bracket in re.finditer("[()]", text):
+        depth += 1 if bracket[0] == "(" else -1
+        if depth == 0:
+            break
+    values = _numbers(text[:bracket.start()])
+    return values if values.size == n else values.reshape(n, -1)
+
+
+def _numbers(text):
+    return np.array(re.sub("[()]", " ", text).split(), float)
+
+
+def _repeated(text, n):
+    value = _numbers(text)
+    return np.tile(value, (n, 1)) if "(" in text else np.repeat(value, n)
+
+
+def largest(values):
+    """The largest magnitude; an error without values."""
+    return float(np.max(np.abs(values)))
+
+
+def difference(a, b):
+    """The largest magnitude of a - b; an error when they differ in shape or have no values."""
+    a, b = np.asarray(a), np.asarray(b)
+    if a.shape != b.shape:
+        raise ValueError(f"{a.shape} and {b.shape} are different shapes")
+    return largest(a - b)
+
+
+def close(a, b, share):
+    """|a - b| <= share |b|"""
+    return bool(abs(a - b) <= share*abs(b))
+
+
+def worst(log, key):
+    """The largest number after "key " in a log; an error when there is none."""
+    return max(float(number) for number in re.findall(rf"{re.escape(key)} ([-+0-9.e]+)", log))
+
+
+def agrees(a, b):
+    """Both files exist, are not empty, and have the same bytes."""
+    a, b = Path(a).read_bytes(), Path(b).read_bytes()
+    return bool(a) and a == b
+
+
+def snapshot_hash(path):
+    """The fingerprint of a snapshot of the DEM core."""
+    return subprocess.run(["dem", "hash", str(path)], check=True, capture_output=True, text=True).stdout.strip()
+
+
+def head(kind, name):
+    """The head of a file of OpenFOAM."""
+    return f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
