@@ -173,9 +173,14 @@ int main(int argc, char *argv[])
                 (
                     toCells(netForcef)().primitiveField()
                   + remainder.primitiveField()
-                  + drag.primitiveField()
+                  + D.primitiveField()
                    *(Us.primitiveField() - U.primitiveField())
                 )(),
+                (
+                    sourceS
+                  ? gSum((mesh.V()*(sourceS() - sourceR()*U)().primitiveField())())
+                  : vector::zero
+                ),
                 cloud.budget().toFluid(),
                 dsdt
             );

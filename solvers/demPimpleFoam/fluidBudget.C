@@ -176,6 +176,7 @@ void Foam::fluidBudget::endStep
 (
     const volScalarField& p,
     const vectorField& ofFaces,
+    const vector& ofSources,
     const vector& toFluid,
     const volScalarField& dsdt
 )
@@ -185,7 +186,8 @@ void Foam::fluidBudget::endStep
     const vectorField& u = U_;
     const scalarField& e = voidFraction_;
 
-    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid);
+    const vector sources(rhoDeltaT*ofSources);
+    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid - sources);
 
     budget_.state(demBudget::VOLUME, "fluid", gSum((V*e)()));
     budget_.state
@@ -237,6 +239,7 @@ void Foam::fluidBudget::endStep
     budget_.gain("continuity", rhoDeltaT*continuity_);
     budget_.gain("iterations", rhoDeltaT*iterations_);
     budget_.gain("faces", faces);
+    budget_.gain("sources", sources);
     budget_.gain
     (
         demBudget::VOLUME,

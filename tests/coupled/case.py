@@ -38,7 +38,7 @@ from pathlib import Path
 import numpy as np
 
 __all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "close", "difference", "finish", "head",
-           "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash", "subprocess",
+           "here", "largest", "math", "np", "os", "re", "read_field", "shutil", "signal", "skip", "snapshot_hash", "subprocess",
            "sys", "thorough", "time", "until", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
@@ -230,6 +230,14 @@ class Case:
         scalar, one row an entry for others. A uniform field has one entry, or as many as `cells`."""
         return read_field(self/name, cells)
 
+    def boundary(self, name, patch):
+        """The values of a field on a patch; of a uniform patch one entry."""
+        text = self.read(name)
+        found = re.search(rf"\n\s*{patch}\s*\{{.*?\bvalue\s+(uniform|nonuniform List<\w+>)\s*([^;]*);", text, re.S)
+        if found[1] == "uniform":
+            return _repeated(found[2], 1)
+        return _listed(found[2], f"{patch} of {name}")
+
     def table(self, name):
         """A CSV file as a dictionary of columns by the names of its first line, without units in brackets; of the
         pattern `name`, the first file. Columns that are not numbers are lists of text."""
@@ -281,9 +289,14 @@ def read_field(path, cells=None):
         text = text[start:]
         if uniform := re.match(r"internalField\s+uniform\s+([^;]*);", text):
             return _repeated(uniform[1], cells or 1)
+    return _listed(text, path)
+
+
+def _listed(text, name):
+    """The numbers of OpenFOAM's N(...) or N{...}."""
     listed = re.search(r"(\d+)\s*([({])", text)
     if not listed:
-        raise ValueError(f"{path} has no list of numbers")
+        raise ValueError(f"{name} has no list of numbers")
     n, text = int(listed[1]), text[listed.end():]
     if listed[2] == "{":                              # N{entry}: all are equal
         return _repeated(text[:text.index("}")], n)
