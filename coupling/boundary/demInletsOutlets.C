@@ -2,8 +2,6 @@
     demInletsOutlets.C -- inlet and outlet patches of particles, and the void fraction near
     them.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -14,8 +12,6 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "triPointRef.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -46,8 +42,6 @@ static pointField trianglesOf(const polyPatch& patch, labelList& face)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelList Foam::demInletsOutlets::patches
 (
@@ -191,8 +185,6 @@ bool Foam::demInletsOutlets::withoutPatch(const dictionary& groups, const bool s
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
@@ -221,8 +213,6 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
     gather();
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demInletsOutlets::add(::dem* d)
 {
@@ -417,5 +407,3 @@ Foam::label Foam::demInletsOutlets::inletWithin(const point& x, const scalar rea
     }
     return nearest;
 }
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demOutletPatch.C -- nearest boundary patch on a line and the boundary face nearest
     to a point, over all ranks.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -32,8 +30,6 @@ namespace Foam
         }
     };
 }
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::demOutletPatch::distanceTo
 (
@@ -202,8 +198,6 @@ void Foam::demOutletPatch::firstFaces
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh, const labelUList& first)
 :
     mesh_(mesh),
@@ -251,8 +245,6 @@ Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh, const labelUList& first
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::List<Foam::string> Foam::demOutletPatch::describe
 (
@@ -365,5 +357,3 @@ Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
     }
     return points;
 }
-
-// ************************************************************************* //

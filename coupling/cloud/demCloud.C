@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demCloud.C -- particles coupled with the fluid of a mesh: the order of a step.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demColumns.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // The particles' part of evolve()
 void Foam::demCloud::advance
@@ -106,8 +102,6 @@ void Foam::demCloud::fail(const string& sentence)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 :
     mesh_(mesh),
@@ -164,8 +158,6 @@ Foam::demCloud::~demCloud()
     profile_.report();
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demCloud::evolve
 (
@@ -316,5 +308,3 @@ void Foam::demCloud::write()
     reports_.write();
     profile_.end(demProfile::OUTPUT);
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demTimeStepControl.C -- criteria of the time step, and which one limits it.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -131,6 +129,3 @@ Foam::scalar Foam::demTimeStepControl::limitRatio() const
     const label tightest = limiting();
     return value_[tightest]/limit_[tightest];
 }
-
-
-// ************************************************************************* //

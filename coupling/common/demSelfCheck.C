@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demSelfCheck.C -- limits of the balances that the coupling keeps by construction.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "demParticles.H"
 #include "StringStream.H"
 #include <cmath>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -35,8 +31,6 @@ static void check(const scalar error, const char* what, const char* cause)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 void Foam::demSelfCheck::momentum(const scalar error)
 {
@@ -72,5 +66,3 @@ void Foam::demSelfCheck::volume(const scalar error)
         " particles in it, or its cells overlap (checkMesh)"
     );
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demCouplingScheme.C -- reads and checks the set of equations.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -12,8 +10,6 @@
 #include "volFields.H"
 #include "demCheck.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 
@@ -21,8 +17,6 @@ static const wordList sets({"I", "II", "III"});
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demCouplingScheme::checkGiven(const word& name, const bool volumeAveraged) const
 {
@@ -46,8 +40,6 @@ void Foam::demCouplingScheme::checkGiven(const word& name, const bool volumeAver
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volumeAveraged)
 :
     dict_(dict),
@@ -65,8 +57,6 @@ Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volum
     checkGiven("mixtureFlux", volumeAveraged);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::boolList Foam::demCouplingScheme::mixturePatches(const volVectorField& U) const
 {
@@ -127,5 +117,3 @@ void Foam::demCouplingScheme::checkEffects() const
             << " out" << exit(FatalError);
     }
 }
-
-// ************************************************************************* //

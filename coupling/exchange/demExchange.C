@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demExchange.C -- the exchange of momentum between fluid and particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -13,8 +11,6 @@
 #include "demSelfCheck.H"
 #include "demSnapshot.H"
 #include "demTurbulenceProduction.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::demUnderRelaxation Foam::demExchange::underRelaxation() const
 {
@@ -88,8 +84,6 @@ void Foam::demExchange::depositTurbulence() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demExchange::demExchange
 (
     demParticles& particles,
@@ -133,8 +127,6 @@ Foam::demExchange::demExchange
     toldRelaxation_(0.5)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demExchange::prepare()
 {
@@ -373,5 +365,3 @@ Foam::tmp<Foam::volVectorField> Foam::demExchange::pressureReaction() const
 
     return treaction;
 }
-
-// ************************************************************************* //

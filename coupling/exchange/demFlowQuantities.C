@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demFlowQuantities.C -- quantities of the fluid that only some effects need.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -17,8 +15,6 @@
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "linear.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -43,8 +39,6 @@ static tmp<volVectorField> divStress
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demFlowQuantities::setTurbulence() const
 {
@@ -105,8 +99,6 @@ void Foam::demFlowQuantities::setMeanDiameter() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demFlowQuantities::demFlowQuantities(const demParticles& particles)
 :
     mesh_(particles.mesh()),
@@ -127,8 +119,6 @@ Foam::demFlowQuantities::demFlowQuantities(const demParticles& particles)
     )
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demFlowQuantities::updateAcceleration(const volVectorField& U)
 {
@@ -225,5 +215,3 @@ void Foam::demFlowQuantities::write() const
         acceleration_().write();
     }
 }
-
-// ************************************************************************* //

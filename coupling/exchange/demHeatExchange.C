@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demHeatExchange.C -- the exchange of heat between fluid and particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -12,8 +10,6 @@
 #include "demFieldAt.H"
 #include "demRecord.H"
 #include "demSelfCheck.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 struct ::dem_scalar_exchange Foam::demHeatExchange::columns() const
 {
@@ -128,8 +124,6 @@ void Foam::demHeatExchange::countContacts()
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demHeatExchange::demHeatExchange(demParticles& particles, demBudget& budget)
 :
     particles_(particles),
@@ -162,8 +156,6 @@ Foam::demHeatExchange::demHeatExchange(demParticles& particles, demBudget& budge
     maxError_(0)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::demHeatExchange::needed(const demParticles& particles)
 {
@@ -287,5 +279,3 @@ void Foam::demHeatExchange::correct
         << " owed " << toCome << " sum " << fluid + ofParticles_
         << " received " << received_ << " J" << endl;
 }
-
-// ************************************************************************* //

@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demMomentumBalance.C -- momentum balance of the exchange.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demMomentumBalance.H"
 #include "demColumns.H"
 #include "PstreamReduceOps.H"
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demMomentumBalance::demMomentumBalance()
 :
@@ -19,8 +15,6 @@ Foam::demMomentumBalance::demMomentumBalance()
     maxMoved_(0)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::demMomentumBalance::exchange
 (
@@ -94,5 +88,3 @@ Foam::vector Foam::demMomentumBalance::owed(const struct ::dem_fluid& fluid)
     reduce(sum, sumOp<vector>());
     return sum;
 }
-
-// ************************************************************************* //

@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demParticleBudget.C -- the budget of the particles and of the exchange.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demParticleBudget.H"
 #include "demCheck.H"
 #include "demColumns.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Impulse of the particles on all walls since the record reset it [N s]
 Foam::vector Foam::demParticleBudget::wallImpulse() const
@@ -28,8 +24,6 @@ Foam::vector Foam::demParticleBudget::wallImpulse() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demParticleBudget::demParticleBudget
 (
     demParticles& particles,
@@ -45,8 +39,6 @@ Foam::demParticleBudget::demParticleBudget
     onWalls_(Zero)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demParticleBudget::begin(const bool volumeAveraged)
 {
@@ -206,5 +198,3 @@ void Foam::demParticleBudget::setMomentum
         budget_.state("owed", owed);
     }
 }
-
-// ************************************************************************* //

@@ -2,16 +2,12 @@
     demUnderRelaxation.C -- under-relaxation of the pressure gradient and of Du/Dt
     at light particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demUnderRelaxation.H"
 #include "demColumns.H"
 #include "PstreamReduceOps.H"
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demUnderRelaxation::demUnderRelaxation
 (
@@ -29,8 +25,6 @@ Foam::demUnderRelaxation::demUnderRelaxation
     owes_(owes)
 {}
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::vector Foam::demUnderRelaxation::hydrostatic(const label i) const
 {
@@ -60,8 +54,6 @@ Foam::vector Foam::demUnderRelaxation::next
     return hydrostatic(i) + w*dynamic;
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demUnderRelaxation::begin
 (
@@ -196,5 +188,3 @@ Foam::vector Foam::demUnderRelaxation::owed() const
     reduce(sum, sumOp<vector>());
     return sum;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demDrivingForce.C -- the pressure gradient that drives a periodic flow.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "fvMatrices.H"
 #include "fvOptions.H"
 #include "meanVelocityForce.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -24,8 +20,6 @@ static fv::optionList* optionsOf(const fvMesh& mesh)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 bool Foam::demDrivingForce::active(const fvMesh& mesh)
 {
@@ -83,5 +77,3 @@ Foam::tmp<Foam::volVectorField> Foam::demDrivingForce::source
     tsource.ref().primitiveFieldRef() = -equation.source()/mesh.V();
     return tsource;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demFluid.C -- looks up the fluid's fields and properties in any solver.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -16,8 +14,6 @@
 #include "uniformDimensionedFields.H"
 #include "HashSet.H"
 #include "turbulenceModel.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -66,8 +62,6 @@ static tmp<volScalarField> uniform
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 // p = p_rgh + rho gh, so grad p - rho g = grad p_rgh + gh grad rho. On faces, as
 // the solver balances it, this is zero in a fluid at rest. The gradient of p in
 // cells is not, where the density jumps.
@@ -86,8 +80,6 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
 :
     mesh_(mesh),
@@ -105,8 +97,6 @@ Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::demFluid::hasUniformDensity
 (
@@ -314,5 +304,3 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
 
     return density()*dimensionedScalar("nu", dimViscosity, own);
 }
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demFootprint.C -- cells in the support of a kernel, their weights, deposition
     and sampling with them.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -258,6 +256,3 @@ INSTANTIATE(Foam::scalar)
 INSTANTIATE(Foam::vector)
 
 #undef INSTANTIATE
-
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demFootprintRemote.C -- footprints that extend to other ranks or through cyclic
     patches.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -187,6 +185,3 @@ INSTANTIATE(Foam::scalar)
 INSTANTIATE(Foam::vector)
 
 #undef INSTANTIATE
-
-
-// ************************************************************************* //

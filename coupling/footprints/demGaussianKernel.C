@@ -2,8 +2,6 @@
     demGaussianKernel.C -- integral of a truncated Gaussian over a cell, taken as a
     box.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -139,6 +137,3 @@ Foam::scalar Foam::demGaussianKernel::integral
     }
     return max(integral - offset, scalar(0));
 }
-
-
-// ************************************************************************* //

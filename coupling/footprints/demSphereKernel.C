@@ -2,8 +2,6 @@
     demSphereKernel.C -- exact volume of the intersection of a sphere and a
     polyhedral cell.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -169,6 +167,3 @@ Foam::scalar Foam::demSphereKernel::integral
     }
     return max(sum, scalar(0));
 }
-
-
-// ************************************************************************* //

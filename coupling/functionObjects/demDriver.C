@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demDriver.C -- runs a demCloud in a solver that has no equations for particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -15,8 +13,6 @@ namespace Foam
 {
     defineTypeNameAndDebug(demDriver, 0);
 }
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -36,8 +32,6 @@ static IOobject relaxedField(const fvMesh& mesh, const word& name, const bool wr
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Walls that move while the particles stand still would pass through them
 void Foam::demDriver::refuseLateStart() const
@@ -176,8 +170,6 @@ Foam::vector Foam::demDriver::total
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demDriver::demDriver(const fvMesh& mesh)
 :
     regIOobject
@@ -226,8 +218,6 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::demDriver& Foam::demDriver::of(const fvMesh& mesh, const word& source)
 {
@@ -351,5 +341,3 @@ void Foam::demDriver::endStep()
         step();
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demFunctionObject.C -- particles in any solver as a function object.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -21,8 +19,6 @@ namespace functionObjects
     addToRunTimeSelectionTable(functionObject, demFunctionObject, dictionary);
 }
 }
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -73,8 +69,6 @@ static void checkControl(const dictionary& dict)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 template<class Source>
 void Foam::functionObjects::demFunctionObject::addSource(const word& name)
 {
@@ -105,8 +99,6 @@ void Foam::functionObjects::demFunctionObject::addSource(const word& name)
     sources.set(n, fv::option::New(name, dict, mesh_).ptr());
 }
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::functionObjects::demFunctionObject::demFunctionObject
 (
@@ -171,8 +163,6 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     FatalError.throwExceptions(throwing);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
 {
@@ -243,5 +233,3 @@ void Foam::functionObjects::demFunctionObject::movePoints(const polyMesh& mesh)
         driver_().meshMoves();
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demMeans.C -- time means of fields by blocks, with their confidence intervals.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -22,8 +20,6 @@ namespace functionObjects
     addToRunTimeSelectionTable(functionObject, demMeans, dictionary);
 }
 }
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -131,8 +127,6 @@ public:
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 void Foam::functionObjects::demMeans::begin()
 {
     series_.clear();
@@ -152,8 +146,6 @@ bool Foam::functionObjects::demMeans::addSeries(const word& field)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::functionObjects::demMeans::demMeans
 (
     const word& name,
@@ -167,8 +159,6 @@ Foam::functionObjects::demMeans::demMeans
     begin();
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::functionObjects::demMeans::read(const dictionary& dict)
 {
@@ -250,5 +240,3 @@ void Foam::functionObjects::demMeans::updateMesh(const mapPolyMesh& map)
         begin();
     }
 }
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demDict.C -- reads constant/demProperties, separates the settings of the coupling
     from the scene of the core.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -15,8 +13,6 @@
 #include "OStringStream.H"
 #include "DynamicList.H"
 #include "Time.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -51,8 +47,6 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demDict::checkCoupling() const
 {
@@ -249,8 +243,6 @@ void Foam::demDict::reportGravity(const char* source) const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
 :
     mesh_(mesh),
@@ -299,8 +291,6 @@ Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 Foam::word Foam::demDict::effectWith(const unsigned traits) const
 {
     for (const entry& effect : dict_.subOrEmptyDict("effects"))
@@ -334,5 +324,3 @@ std::string Foam::demDict::text() const
     writeEntries(dict_, os);
     return os.str();
 }
-
-// ************************************************************************* //

@@ -4,8 +4,6 @@
     Part of demDict: entries of walls that name a patch, or are of type surface, are
     checked and removed from the scene; demWalls passes their triangles to the core.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -18,8 +16,6 @@
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -73,8 +69,6 @@ static bool matches(const wordRe& pattern, const UList<word>& names)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demDict::checkPatchNames() const
 {
@@ -413,8 +407,6 @@ Foam::wordList Foam::demDict::materials() const
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 bool Foam::demDict::isWall(const polyPatch& patch) const
 {
     return
@@ -446,5 +438,3 @@ Foam::word Foam::demDict::material(const polyPatch& patch) const
     }
     return name;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demMeshCheck.C -- refuses meshes in which a point lies in several cells.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "demPassable.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -149,12 +145,8 @@ static void refuseOverlap(const fvMesh& mesh)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
 void Foam::demMeshCheck::check(const fvMesh& mesh)
 {
     refuseOverset(mesh);
     refuseOverlap(mesh);
 }
-
-// ************************************************************************* //

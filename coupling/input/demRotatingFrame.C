@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demRotatingFrame.C -- zones of cells in a rotating frame (MRF).
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -164,5 +162,3 @@ Foam::dictionary Foam::demRotatingFrame::surfaceRotation() const
     rotation.add("omega", speed_);
     return rotation;
 }
-
-// ************************************************************************* //

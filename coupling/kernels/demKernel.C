@@ -2,8 +2,6 @@
     demKernel.C -- selection of kernels, and the kernels of few lines: linear,
     particleCentre, diffusion.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -261,6 +259,3 @@ addToRunTimeSelectionTable(demKernel, demCentreKernel, parts);
 addToRunTimeSelectionTable(demKernel, demDiffusionKernel, parts);
 
 } // End namespace Foam
-
-
-// ************************************************************************* //

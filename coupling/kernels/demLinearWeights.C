@@ -2,8 +2,6 @@
     demLinearWeights.C -- linear point-to-cell weights of the mesh, deposition and
     interpolation with them.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -574,6 +572,3 @@ INSTANTIATE(Foam::scalar)
 INSTANTIATE(Foam::vector)
 
 #undef INSTANTIATE
-
-
-// ************************************************************************* //

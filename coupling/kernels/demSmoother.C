@@ -2,8 +2,6 @@
     demSmoother.C -- smooths cell values by explicit diffusion; conserves totals and
     makes no new extremes.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -373,6 +371,3 @@ void Foam::demSmoother::smooth(UList<Type>& cells) const
 
 template void Foam::demSmoother::smooth(UList<Foam::scalar>&) const;
 template void Foam::demSmoother::smooth(UList<Foam::vector>&) const;
-
-
-// ************************************************************************* //

@@ -8,8 +8,6 @@
     neighbour at most: the pair with the highest rate first, and among equal rates the
     pair with the first face. The thickness doubles with each round.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -144,6 +142,3 @@ void Foam::demSmoother::lumpCells(const scalar limit)
         {}
     }
 }
-
-
-// ************************************************************************* //

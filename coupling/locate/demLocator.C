@@ -2,8 +2,6 @@
     demLocator.C -- sets up the cell search: face planes of the cells, other side of
     boundary faces.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -154,6 +152,3 @@ Foam::demLocator::demLocator
     // collective; needed by the search tree
     (void)mesh_.tetBasePtIs();
 }
-
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demLocatorWalk.C -- walking search from cell to cell, and the tetrahedra of a
     cell.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -389,6 +387,3 @@ Foam::label Foam::demLocator::search(const point& position, scalar& distance) co
     distance = mag(mesh_.cellCentres()[nearest] - position);
     return nearest;
 }
-
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demParticleRouting.C -- mesh side of the particle-to-cell routing: answers queries by
     a walk over all ranks.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -207,6 +205,3 @@ void Foam::demParticleRouting::searchAll()
     }
     exchange();
 }
-
-
-// ************************************************************************* //

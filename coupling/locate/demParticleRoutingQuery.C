@@ -2,8 +2,6 @@
     demParticleRoutingQuery.C -- particle side of the particle-to-cell routing: queries,
     octree search, map.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -383,6 +381,3 @@ void Foam::demParticleRouting::sort(const demView& view)
         new mapDistributeBase(locations_.size(), std::move(from), std::move(to))
     );
 }
-
-
-// ************************************************************************* //

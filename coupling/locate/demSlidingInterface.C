@@ -2,8 +2,6 @@
     demSlidingInterface.C -- links between the cells on the two sides of sliding
     interfaces.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -238,5 +236,3 @@ const Foam::demSlidingInterface::link& Foam::demSlidingInterface::nearest
     }
     return links_[found];
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demWedge.C -- couples particles in a full circle to a fluid mesh that is a sector.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -41,8 +39,6 @@ namespace Foam
     }
 }
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 bool Foam::demWedge::is(const polyMesh& mesh)
 {
@@ -88,8 +84,6 @@ Foam::demWedge::demWedge(const polyMesh& mesh)
       + (n[0]*(off[0] - c*off[1]) + n[1]*(off[1] - c*off[0]))/(1 - c*c);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demWedge::check(const demDict& dict) const
 {
@@ -357,5 +351,3 @@ Foam::scalar Foam::demRingKernel::integral
     }
     return sum;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demBudget.C -- sums of the budget's states and contributions, and their table.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -11,8 +9,6 @@
 #include "Switch.H"
 #include "error.H"
 #include <sstream>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -29,8 +25,6 @@ static const char* const unit_[] =
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::string Foam::demBudget::columns() const
 {
@@ -95,8 +89,6 @@ Foam::demBudget::item& Foam::demBudget::find
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demBudget::demBudget(const Time& time, const dictionary& coupling)
 :
     time_(time),
@@ -113,8 +105,6 @@ Foam::demBudget::demBudget(const Time& time, const dictionary& coupling)
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demBudget::state
 (
@@ -190,5 +180,3 @@ void Foam::demBudget::endStep()
         dem_table_append(table_.rows(dem_), dem_, columns().c_str(), row.str().c_str())
     );
 }
-
-// ************************************************************************* //

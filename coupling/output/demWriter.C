@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demWriter.C -- writes particles as a lagrangian cloud.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -13,8 +11,6 @@
 #include "PstreamBuffers.H"
 #include "Time.H"
 #include "DynamicList.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -231,8 +227,6 @@ static void writeField
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
 // A label of OpenFOAM, passed between ranks as a double
 int64_t Foam::demWriter::maxId()
 {
@@ -289,5 +283,3 @@ void Foam::demWriter::write
         writeField<scalar>(io(info.name), all, each, N_NUMBERS + k, one);
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demParticles.C -- the particles in the mesh.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -23,8 +21,6 @@
 #include "StringStream.H"
 #include "Time.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 
@@ -44,8 +40,6 @@ static const fvMesh& supported(const fvMesh& mesh, const bool volumeAveraged)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demParticles::checkDeltaT() const
 {
@@ -249,8 +243,6 @@ Foam::string Foam::demParticles::longStep(const vector& velocity) const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demParticles::demParticles(const fvMesh& mesh, const bool volumeAveraged)
 :
     mesh_(supported(mesh, volumeAveraged)),
@@ -281,8 +273,6 @@ Foam::demParticles::~demParticles()
     dem_free(dem_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demParticles::setUp()
 {
@@ -429,5 +419,3 @@ void Foam::demParticles::write(dictionary& numbers)
     refresh();
     demWriter::write(mesh_, dem_, view_, transfer_.inMeshFrame(view_), location(), heading());
 }
-
-// ************************************************************************* //

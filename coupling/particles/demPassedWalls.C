@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demPassedWalls.C -- void fraction of patches of given velocity.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demPassedWalls.H"
 #include "movingWallVelocityFvPatchVectorField.H"
 #include "wallFvPatch.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -43,8 +39,6 @@ static bool isPassed(const fvPatchVectorField& Up)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::wordList Foam::demPassedWalls::types(const fvMesh& mesh)
 {
@@ -138,10 +132,3 @@ void Foam::demPassedWalls::check(const volVectorField& U) const
         }
     }
 }
-
-
-// ************************************************************************* //
-
-// ************************************************************************* //
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demSettle.C -- settles the particles of a case in the walls of its mesh.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -14,8 +12,6 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -29,8 +25,6 @@ static const scalar falls = 100;
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demSettle::check() const
 {
@@ -222,8 +216,6 @@ void Foam::demSettle::save()
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demSettle::demSettle(const fvMesh& mesh)
 :
     mesh_(mesh),
@@ -242,13 +234,9 @@ Foam::demSettle::~demSettle()
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::demSettle::run()
 {
     build();
     advance();
     save();
 }
-
-// ************************************************************************* //

@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demVoidFraction.C -- void fraction from the volumes of the particles, and its rate.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demVoidFraction.H"
 #include "demSelfCheck.H"
 #include "demSnapshot.H"
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demVoidFraction::demVoidFraction(demParticles& particles)
 :
@@ -56,8 +52,6 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demVoidFraction::begin()
 {
@@ -128,5 +122,3 @@ void Foam::demVoidFraction::deposit()
         mag(gSum((mesh_.V().field()*solid.field())()) - deposited_)/(deposited_ + VSMALL);
     demSelfCheck::volume(volumeError_);
 }
-
-// ************************************************************************* //

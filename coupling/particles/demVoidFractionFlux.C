@@ -3,16 +3,12 @@
     equation (demPimpleFoam/voidageFlux.H): between cells, through patches, and sources
     inside the mesh.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demVoidFraction.H"
 #include "demColumns.H"
 #include "surfaceFields.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // `volume` of each particle that the fluid sees [m3]. Its mean velocity is its
 // displacement over the step: the velocity at the end of the step alternates
@@ -138,8 +134,6 @@ void Foam::demVoidFraction::passWithVolumes(const volVectorField& U)
 }
 
 
-// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::demVoidFraction::addSources(UList<scalar>& cells) const
 {
     forAll(sources_, celli)
@@ -162,5 +156,3 @@ Foam::tmp<Foam::scalarField> Foam::demVoidFraction::solidFlux(const label patchi
     }
     return tflux;
 }
-
-// ************************************************************************* //

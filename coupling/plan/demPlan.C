@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demPlan.C -- plan of a run.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demPlan.H"
 #include "demCheck.H"
 #include "gaussGrad.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -46,8 +42,6 @@ static scalar volumeBetween
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Mean cross-section of the mesh over the bed, between the heights below which
 // 10 and 90 % of the particles' volume lies [m2]; 0 without a bed
@@ -141,8 +135,6 @@ void Foam::demPlan::reportKernel(const scalar bed) const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demPlan::demPlan(const demParticles& particles, const demVoidFraction& volume)
 :
     mesh_(particles.mesh()),
@@ -151,8 +143,6 @@ Foam::demPlan::demPlan(const demParticles& particles, const demVoidFraction& vol
     transfer_(particles.transfer())
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demPlan::report
 (
@@ -202,5 +192,3 @@ void Foam::demPlan::report
     reportKernel(bedVoidFraction());
     warn(U, ahead);
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demPlanWarnings.C -- reports likely mistakes before the first step.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -13,8 +11,6 @@
 #include "OSspecific.H"
 #include "wallFvPatch.H"
 #include <sstream>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -60,8 +56,6 @@ static bool isDummy(const word& method)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Patches through which fluid should enter, and where nothing says how much
 void Foam::demPlan::inletWarnings
@@ -216,5 +210,3 @@ void Foam::demPlan::warn(const volVectorField& U, struct ::dem_run_info& ahead) 
         Info<< text << endl;
     }
 }
-
-// ************************************************************************* //

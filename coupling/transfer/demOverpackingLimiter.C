@@ -2,8 +2,6 @@
     demOverpackingLimiter.C -- move excess solid volume of overpacked cells to their
     neighbours.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -31,8 +29,6 @@ namespace Foam
     static const label maxSteps = 5000;
 }
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demOverpackingLimiter::demOverpackingLimiter
 (
@@ -247,6 +243,3 @@ void Foam::demOverpackingLimiter::limitSolid(UList<scalar>& solid, const scalar 
     }
     setTransport(u, s, solid);
 }
-
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     fluidTemperature.C -- temperature of the fluid, which exchanges heat with particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -11,8 +9,6 @@
 #include "fluidBudget.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -81,8 +77,6 @@ static volScalarField uniform(const fvMesh& mesh, const dimensionedScalar& value
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::fluidTemperature::fluidTemperature
 (
@@ -156,8 +150,6 @@ Foam::fluidTemperature::fluidTemperature
     exchange_.setFluid(T_, kappa_, Cp_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField> Foam::fluidTemperature::buoyancy
 (
@@ -266,5 +258,3 @@ void Foam::fluidTemperature::correct()
         );
     }
 }
-
-// ************************************************************************* //

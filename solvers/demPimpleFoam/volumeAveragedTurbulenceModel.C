@@ -2,8 +2,6 @@
     volumeAveragedTurbulenceModel.C -- models of turbulence in the void space, and their
     selection.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -13,8 +11,6 @@
 #include "fvcGrad.H"
 #include "fvMatrix.H"
 #include "addToRunTimeSelectionTable.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -74,8 +70,6 @@ static autoPtr<volumeAveragedTurbulenceModel> select
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::volumeAveragedTurbulenceModel::volumeAveragedTurbulenceModel
 (
     const word& type,
@@ -102,8 +96,6 @@ Foam::volumeAveragedTurbulenceModel::volumeAveragedTurbulenceModel
     alpha_(voidFraction)
 {}
 
-
-// * * * * * * * * * * * * * * * * Selector  * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::volumeAveragedTurbulenceModel>
 Foam::volumeAveragedTurbulenceModel::New
@@ -159,8 +151,6 @@ Foam::volumeAveragedTurbulenceModel::New
     return nullptr;
 }
 
-
-// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField>
 Foam::volumeAveragedTurbulenceModel::phi() const
@@ -329,5 +319,3 @@ LESType(kOmegaSSTDDES)
 
 #include "kOmegaSSTIDDES.H"
 LESType(kOmegaSSTIDDES)
-
-// ************************************************************************* //
