@@ -25,15 +25,9 @@ Foam::demTimeStepControl::demTimeStepControl(const Time& time, demCloud& cloud)
 {}
 
 
-Foam::scalar Foam::demTimeStepControl::particleLimit(const Time& time)
-{
-    return time.controlDict().getOrDefault<scalar>("maxParticleCo", 0.5);
-}
-
-
 void Foam::demTimeStepControl::read(const scalar maxCo)
 {
-    const scalar defaultLimit[nCriteria] = {maxCo, particleLimit(time_), 0.1, 0};
+    const scalar defaultLimit[nCriteria] = {maxCo, cloud_.particles().maxCo(), 0.1, 0};
 
     limit_[FLUID] = maxCo;
     for (label k = PARTICLES; k < nCriteria; ++k)

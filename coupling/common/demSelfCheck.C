@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demSelfCheck.H"
-#include "demParticles.H"
+#include "demFailure.H"
 #include "StringStream.H"
 #include <cmath>
 

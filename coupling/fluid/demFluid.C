@@ -5,8 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFluid.H"
+#include "demDict.H"
 #include "demDrivingForce.H"
-#include "demCloud.H"
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvcReconstruct.H"
@@ -80,10 +80,10 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
 }
 
 
-Foam::demFluid::demFluid(const fvMesh& mesh, const demCloud& cloud)
+Foam::demFluid::demFluid(const fvMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
-    cloud_(cloud)
+    dict_(dict)
 {
     // Refuse missing fields now, not in the first step
     velocity();
@@ -192,7 +192,7 @@ bool Foam::demFluid::steady(const fvMesh& mesh)
 
 Foam::tmp<Foam::volVectorField> Foam::demFluid::pressureGradient() const
 {
-    const dimensionedVector g("g", dimAcceleration, cloud_.particles().gravity());
+    const dimensionedVector g("g", dimAcceleration, dict_.gravity());
     const volScalarField* p = mesh_.findObject<volScalarField>("p");
     const volScalarField* p_rgh = mesh_.findObject<volScalarField>("p_rgh");
     const tmp<volScalarField> trho(density());
@@ -248,13 +248,13 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
 
     if (rho && rho->dimensions() == dimDensity)
     {
-        cloud_.particles().dict().refuseDuplicate("rho", "the solver");
+        dict_.refuseDuplicate("rho", "the solver");
         return tmp<volScalarField>(*rho);
     }
     return uniform
     (
         mesh_,
-        dimensionedScalar("rho", dimDensity, cloud_.particles().fluidDensity())
+        dimensionedScalar("rho", dimDensity, uniformDensity(mesh_, dict_.coupling()))
     );
 }
 
@@ -280,17 +280,17 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::viscosity() const
 
     if (model)
     {
-        cloud_.particles().dict().refuseDuplicate("nu", "the solver");
+        dict_.refuseDuplicate("nu", "the solver");
         return density()*model->nu();
     }
 
     const dictionary* transport =
         mesh_.findObject<dictionary>("transportProperties");
-    const dictionary& own = cloud_.particles().dict().coupling();
+    const dictionary& own = dict_.coupling();
 
     if (transport && transport->found("nu"))
     {
-        cloud_.particles().dict().refuseDuplicate("nu", "constant/transportProperties");
+        dict_.refuseDuplicate("nu", "constant/transportProperties");
         return
             density()*dimensionedScalar("nu", dimViscosity, *transport);
     }

@@ -95,7 +95,7 @@ void Foam::demFootprint::floodAll
     label pending = 1;
     while (pending)
     {
-        demParticleRouting::exchange(out_, in_);
+        demExchangeBuffers(out_, in_);
         for (const DynamicList<scalar>& message : in_)
         {
             for (label k = 0; k < message.size(); k += recordSize)
@@ -126,7 +126,7 @@ void Foam::demFootprint::connectRemote()
         out_[remote_[g].rank].append(remote_[g].location);
         own[remote_[g].rank].append(g);
     }
-    demParticleRouting::exchange(out_, in_);
+    demExchangeBuffers(out_, in_);
 
     DynamicList<label> origin;
     forAll(in_, rank)

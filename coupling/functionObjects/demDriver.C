@@ -185,7 +185,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     ),
     mesh_(mesh),
     cloud_(mesh, false),
-    fluid_(mesh, cloud_),
+    fluid_(mesh, cloud_.particles().dict()),
     stepControl_(mesh.time(), cloud_),
     steady_(demFluid::steady(mesh)),
     cells_(mesh.nCells()),

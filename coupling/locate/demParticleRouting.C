@@ -6,7 +6,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demParticleRouting.H"
-#include "PstreamBuffers.H"
 #include "PstreamReduceOps.H"
 
 
@@ -43,7 +42,7 @@ Foam::demParticleRouting::demParticleRouting(const fvMesh& mesh, const demLocato
             append(message, own.max());
         }
     }
-    exchange();
+    demExchangeBuffers(out_, in_);
     forAll(in_, rank)
     {
         if (in_[rank].size())
@@ -66,51 +65,13 @@ Foam::demParticleRouting::demParticleRouting(const fvMesh& mesh, const demLocato
 }
 
 
-void Foam::demParticleRouting::exchange(rankBuffers& out, rankBuffers& in)
-{
-    const label self = Pstream::myProcNo();
-
-    for (DynamicList<scalar>& message : in)
-    {
-        message.clear();
-    }
-    in[self].swap(out[self]);
-
-    if (Pstream::parRun())
-    {
-        PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-        forAll(out, rank)
-        {
-            if (out[rank].size())
-            {
-                UOPstream to(rank, buffers);
-                to << static_cast<const List<scalar>&>(out[rank]);
-                out[rank].clear();
-            }
-        }
-
-        labelList sizes;
-        buffers.finishedSends(sizes);
-        forAll(sizes, rank)
-        {
-            if (rank != self && sizes[rank])
-            {
-                UIPstream from(rank, buffers);
-                List<scalar> message(from);
-                in[rank].transfer(message);
-            }
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * mesh side  * * * * * * * * * * * * * * * * //
 
 void Foam::demParticleRouting::walkOne
 (
     const scalar* query,
-    rankBuffers& replies,
-    rankBuffers* forward
+    demRankBuffers& replies,
+    demRankBuffers* forward
 )
 {
     const demLocator::walkState start
@@ -160,12 +121,12 @@ void Foam::demParticleRouting::walkAll()
     // more rounds than this are a walk in circles around a distorted cell
     const label maxRounds = 20 + 2*Pstream::nProcs();
 
-    rankBuffers replies(Pstream::nProcs());
+    demRankBuffers replies(Pstream::nProcs());
     label underWay = 1;
 
     for (label round = 0; underWay > 0; ++round)
     {
-        exchange();
+        demExchangeBuffers(out_, in_);
         underWay = 0;
         for (const DynamicList<scalar>& message : in_)
         {
@@ -182,13 +143,13 @@ void Foam::demParticleRouting::walkAll()
     }
 
     out_.swap(replies);
-    exchange();
+    demExchangeBuffers(out_, in_);
 }
 
 
 void Foam::demParticleRouting::searchAll()
 {
-    exchange();
+    demExchangeBuffers(out_, in_);
     forAll(in_, rank)
     {
         const DynamicList<scalar>& message = in_[rank];
@@ -203,5 +164,5 @@ void Foam::demParticleRouting::searchAll()
             out_[rank].append(distance);
         }
     }
-    exchange();
+    demExchangeBuffers(out_, in_);
 }

@@ -185,7 +185,7 @@ Foam::pointField Foam::demParticleRouting::centres
             out_[rank].append(k);
         }
     }
-    exchange();
+    demExchangeBuffers(out_, in_);
     forAll(in_, rank)
     {
         const DynamicList<scalar>& message = in_[rank];
@@ -195,7 +195,7 @@ Foam::pointField Foam::demParticleRouting::centres
             out_[rank].append(message[k + 1]);
         }
     }
-    exchange();
+    demExchangeBuffers(out_, in_);
 
     pointField found(particles.size(), Zero);
     for (const DynamicList<scalar>& message : in_)

@@ -6,7 +6,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demSlidingInterface.H"
-#include "demParticleRouting.H"
 #include "demPassable.H"
 #include "cyclicAMIPolyPatch.H"
 #include "wedgePolyPatch.H"
@@ -80,7 +79,7 @@ void Foam::demSlidingInterface::check(const polyMesh& mesh)
 void Foam::demSlidingInterface::addOwned
 (
     const polyPatch& patch,
-    List<DynamicList<scalar>>& messages,
+    demRankBuffers& messages,
     labelListList& sent
 )
 {
@@ -173,7 +172,7 @@ Foam::demSlidingInterface::demSlidingInterface(const fvMesh& mesh)
     linksOf_(mesh.nBoundaryFaces())
 {
     const label nRanks = Pstream::nProcs();
-    List<DynamicList<scalar>> out(nRanks), in(nRanks);
+    demRankBuffers out(nRanks), in(nRanks);
     labelListList owned(nRanks), received(nRanks);
 
     // All ranks have these patches, in the same order
@@ -184,7 +183,7 @@ Foam::demSlidingInterface::demSlidingInterface(const fvMesh& mesh)
             addOwned(patch, out, owned);
         }
     }
-    demParticleRouting::exchange(out, in);
+    demExchangeBuffers(out, in);
     forAll(in, rank)
     {
         const label first = links_.size();

@@ -320,34 +320,3 @@ Foam::tmp<Foam::pointField> Foam::demWedge::sweep
     tpoints.ref().transfer(corners);
     return tpoints;
 }
-
-
-// * * * * * * * * * * * * * * * * ring  * * * * * * * * * * * * * * * * * * //
-
-// Sum over the images of the particle in the k-th sectors on both sides; the last
-// ones, opposite, with the fraction of a sector that is left of the circle
-Foam::scalar Foam::demRingKernel::integral
-(
-    const label celli,
-    const point& x,
-    const scalar radius
-) const
-{
-    const scalar angle = wedge_.angle();
-    const scalar r = wedge_.radius(x);
-    const scalar support = reach(radius);
-    scalar sum = kernel_.integral(celli, x, radius);
-
-    for (label k = 1; (k - 0.5)*angle < pi; ++k)
-    {
-        const scalar azimuth = (k - 0.5)*angle;
-        const scalar part = min(scalar(1), (pi - azimuth)/angle);
-
-        if (r*std::sin(min(azimuth, 0.5*pi)) >= support)
-        {
-            break;
-        }
-        sum += 2*part*kernel_.integral(celli, wedge_.rotated(x, k*angle), radius);
-    }
-    return sum;
-}

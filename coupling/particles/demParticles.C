@@ -16,7 +16,6 @@
 #include "demRotatingFrame.H"
 #include "demSlidingInterface.H"
 #include "demSnapshot.H"
-#include "demTimeStepControl.H"
 #include "demWriter.H"
 #include "StringStream.H"
 #include "Time.H"
@@ -226,7 +225,7 @@ Foam::string Foam::demParticles::lostSentence
 // short enough
 Foam::string Foam::demParticles::longStep(const vector& velocity) const
 {
-    const scalar limit = demTimeStepControl::particleLimit(mesh_.time());
+    const scalar limit = maxCo();
     const scalar Co = mag(velocity)*window_/transfer_.length();
 
     if (Co <= limit)
@@ -305,6 +304,12 @@ void Foam::demParticles::reportStep() const
 Foam::scalar Foam::demParticles::fluidDensity() const
 {
     return demFluid::uniformDensity(mesh_, dict_.coupling());
+}
+
+
+Foam::scalar Foam::demParticles::maxCo() const
+{
+    return mesh_.time().controlDict().getOrDefault<scalar>("maxParticleCo", 0.5);
 }
 
 
