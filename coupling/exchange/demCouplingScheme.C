@@ -110,10 +110,9 @@ void Foam::demCouplingScheme::checkEffects() const
     if (set_ == III && !unsteady.empty())
     {
         FatalErrorInFunction
-            << "Equations III are those of a steady, uniform flow, without"
-            << " acceleration and stress, which " << unsteady << " is based"
-            << " on: take equations I or II in coupling of"
-            << " constant/" << demDict::name() << ", or leave " << unsteady
+            << "Equations III hold for a steady, uniform flow, without the"
+            << " acceleration and stress that " << unsteady << " needs: take equations I or II"
+            << " in coupling of constant/" << demDict::name() << ", or leave " << unsteady
             << " out" << exit(FatalError);
     }
 }

@@ -7,7 +7,7 @@
 #include "demExchange.H"
 #include "demCheck.H"
 #include "demColumns.H"
-#include "demFieldAt.H"
+#include "demFiles.H"
 #include "demSelfCheck.H"
 #include "demSnapshot.H"
 #include "demTurbulenceProduction.H"

@@ -6,7 +6,7 @@
 
 #include "demFlowQuantities.H"
 #include "demColumns.H"
-#include "demFieldAt.H"
+#include "demFiles.H"
 #include "demUnderRelaxation.H"
 #include "turbulenceModel.H"
 #include "fvcGrad.H"

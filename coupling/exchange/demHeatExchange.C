@@ -7,7 +7,7 @@
 #include "demHeatExchange.H"
 #include "demCheck.H"
 #include "demColumns.H"
-#include "demFieldAt.H"
+#include "demFiles.H"
 #include "demRecord.H"
 #include "demSelfCheck.H"
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDrivingForce.H"
+#include "demFiles.H"
 #include "fvMatrices.H"
 #include "fvOptions.H"
 #include "meanVelocityForce.H"
@@ -61,15 +62,7 @@ Foam::tmp<Foam::volVectorField> Foam::demDrivingForce::source
     (
         new volVectorField
         (
-            IOobject
-            (
-                "dem:drivingForce",
-                mesh.time().timeName(),
-                mesh,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
+            demFileAt(mesh.time().timeName(), "dem:drivingForce", mesh, IOobject::NO_READ),
             mesh,
             dimensionedVector(dimensions, Zero)
         )

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFluid.H"
+#include "demFiles.H"
 #include "demDict.H"
 #include "demDrivingForce.H"
 #include "fvcGrad.H"
@@ -44,15 +45,7 @@ static tmp<volScalarField> uniform
     (
         new volScalarField
         (
-            IOobject
-            (
-                "dem:" + value.name(),
-                mesh.time().timeName(),
-                mesh,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
+            demFileAt(mesh.time().timeName(), "dem:" + value.name(), mesh, IOobject::NO_READ),
             mesh,
             value
         )
@@ -187,6 +180,42 @@ bool Foam::demFluid::steady(const fvMesh& mesh)
         "steadyState", "localEuler", "SLTS", "CoEuler"
     });
     return steadySchemes.found(timeScheme(mesh));
+}
+
+
+Foam::scalar Foam::demFluid::interval(const fvMesh& mesh, const dictionary& own)
+{
+    const bool isSteady = steady(mesh);
+    const scalar length = own.getOrDefault<scalar>("interval", 0);
+
+    if (isSteady && !own.found("interval"))
+    {
+        FatalIOErrorInFunction(own)
+            << "This solver is steady (ddtSchemes): its iterations have no"
+            << " time step, but particles move in time. Add interval <s> to"
+            << " coupling in constant/" << demDict::name() << ", the time that"
+            << " particles move in each iteration, or take a transient solver"
+            << exit(FatalIOError);
+    }
+
+    for (const char* name : {"interval", "relaxation"})
+    {
+        if (!isSteady && own.found(name))
+        {
+            FatalIOErrorInFunction(own)
+                << name << " is for steady solvers; here particles move by the"
+                << " solver's time step. Take it out of coupling in constant/"
+                << demDict::name() << exit(FatalIOError);
+        }
+    }
+
+    if (isSteady && length <= 0)
+    {
+        FatalIOErrorInFunction(own)
+            << "interval is " << length << " s; it must be positive"
+            << exit(FatalIOError);
+    }
+    return length;
 }
 
 

@@ -49,12 +49,8 @@ void Foam::demFootprint::send(const image& v, const demLocator::walkState& t)
     DynamicList<scalar>& message = out_[t.rank];
     message.append(v.rank);
     message.append(v.location);
-    for (const vector& x : {vector(v.origin), vector(t.position)})
-    {
-        message.append(x.x());
-        message.append(x.y());
-        message.append(x.z());
-    }
+    demAppend(message, v.origin);
+    demAppend(message, t.position);
     message.append(v.radius);
     message.append(t.cell);
 }

@@ -5,6 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDriver.H"
+#include "demFiles.H"
+#include "demMeshCheck.H"
 #include "fvcSurfaceIntegrate.H"
 #include "surfaceFields.H"
 #include "Time.H"
@@ -20,14 +22,10 @@ namespace Foam
 // A relaxed field is written, so that a restart continues with it
 static IOobject relaxedField(const fvMesh& mesh, const word& name, const bool written)
 {
-    return IOobject
-    (
-        name,
-        mesh.time().timeName(),
-        mesh,
-        written ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
-        written ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
-    );
+    return
+        written
+      ? demFieldAt(mesh, name, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE)
+      : demFieldAt(mesh, name);
 }
 
 } // End namespace Foam
@@ -129,7 +127,7 @@ void Foam::demDriver::step()
     // OpenFOAM does not notify function objects of mesh changes before timeStart
     if (mesh_.topoChanging() || mesh_.nCells() != cells_)
     {
-        refuseTopologyChange();
+        demMeshCheck::refuseTopologyChange();
     }
     if (lastStep_ < 0 && mesh_.moving())
     {
@@ -233,16 +231,6 @@ Foam::demDriver& Foam::demDriver::of(const fvMesh& mesh, const word& source)
             << exit(FatalError);
     }
     return const_cast<demDriver&>(*found);
-}
-
-
-void Foam::demDriver::refuseTopologyChange() const
-{
-    FatalErrorInFunction
-        << "The mesh changes its topology, but cells and walls of the particles"
-        << " are those of the mesh at the start: it may move, but not be refined"
-        << " or cut anew; take another dynamicFvMesh in"
-        << " constant/dynamicMeshDict, or leave the particles out" << exit(FatalError);
 }
 
 

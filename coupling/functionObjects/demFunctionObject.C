@@ -6,6 +6,8 @@
 
 #include "demFunctionObject.H"
 #include "demEnergySource.H"
+#include "demFiles.H"
+#include "demMeshCheck.H"
 #include "demMomentumSource.H"
 #include "fvOptions.H"
 #include "mapPolyMesh.H"
@@ -29,15 +31,7 @@ static bool hasFile(const fvMesh& mesh)
 {
     for (const word& folder : {mesh.time().constant(), mesh.time().system()})
     {
-        IOobject io
-        (
-            "fvOptions",
-            folder,
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        );
+        IOobject io(demFileAt(folder, "fvOptions", mesh, IOobject::MUST_READ));
 
         if (io.typeHeaderOk<IOdictionary>(true))
         {
@@ -221,7 +215,7 @@ void Foam::functionObjects::demFunctionObject::updateMesh
 {
     if (driver_ && &map.mesh() == &mesh_)
     {
-        driver_().refuseTopologyChange();
+        demMeshCheck::refuseTopologyChange();
     }
 }
 

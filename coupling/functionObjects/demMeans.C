@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demMeans.H"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "dem.h"
 #include "volFields.H"
@@ -48,15 +49,7 @@ class typedSeries
         const fieldType& field = mesh_.lookupObject<fieldType>(name_);
         fieldType result
         (
-            IOobject
-            (
-                name_ + ending,
-                mesh_.time().timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
+            demFileAt(mesh_.time().timeName(), name_ + ending, mesh_, IOobject::NO_READ),
             mesh_,
             dimensioned<Type>(field.dimensions(), Zero),
             zeroGradientFvPatchField<Type>::typeName

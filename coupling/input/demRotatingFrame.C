@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demRotatingFrame.H"
+#include "demFiles.H"
 #include "demPassable.H"
 #include "emptyPolyPatch.H"
 #include "Constant.H"
@@ -51,15 +52,7 @@ Foam::PtrList<Foam::demRotatingFrame> Foam::demRotatingFrame::all(const polyMesh
 {
     const IOdictionary dict
     (
-        IOobject
-        (
-            "MRFProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        demFileAt(mesh.time().constant(), "MRFProperties", mesh, IOobject::READ_IF_PRESENT)
     );
     PtrList<demRotatingFrame> frames;
 
@@ -122,7 +115,7 @@ bool Foam::demRotatingFrame::rotates(const polyPatch& patch) const
     if (inside && inside < faces)
     {
         FatalErrorInFunction
-            << "Of patch " << patch.name() << " " << inside << " faces of " << faces
+            << inside << " of the " << faces << " faces of patch " << patch.name()
             << " lie in zone " << name_ << " of constant/MRFProperties, but a wall of the"
             << " particles has one rotation; make it two patches, or list it in"
             << " nonRotatingPatches" << exit(FatalError);

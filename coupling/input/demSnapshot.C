@@ -91,8 +91,8 @@ static bool onMaster(const fileName& file)
 }
 
 
-// A file or folder of the present time, of any rank, that only a run with particles writes; empty without.
-// Collective.
+// A file or folder of the present time, of any rank, that only a run with particles writes; empty
+// without. Collective.
 static fileName trace(const Time& time)
 {
     for

@@ -7,7 +7,7 @@
 
 #include "demKernel.H"
 #include "demCheck.H"
-#include "demLinearWeights.H"
+#include "demEvenBed.H"
 #include "demSmoother.H"
 #include "volFields.H"
 #include "addToRunTimeSelectionTable.H"
@@ -45,7 +45,8 @@ class demLinearKernel
     //- In a wedge particles are in its middle plane, where volumes of cells are no measure
     const bool canBeEven_;
 
-    bool even_;
+    //- Null unless smoothed
+    autoPtr<demEvenBed> even_;
 
     const fvMesh& mesh_;
 
@@ -56,18 +57,18 @@ class demLinearKernel
     ) const
     {
         weights_.spread(at, values, cells);
-        if (even_)
+        if (even_.valid())
         {
-            weights_.even(cells);
+            even_().apply(cells);
         }
     }
 
     template<class Type>
     void sample(const UList<demCellLocation>& at, UList<Type>& cells, UList<Type>& values) const
     {
-        if (even_)
+        if (even_.valid())
         {
-            weights_.evenAdjoint(cells);
+            even_().applyAdjoint(cells);
         }
         weights_.collect(at, cells, values);
     }
@@ -81,7 +82,6 @@ public:
     :
         weights_(p.mesh, p.sliding),
         canBeEven_(!p.wedge),
-        even_(false),
         mesh_(p.mesh)
     {}
 
@@ -99,10 +99,9 @@ public:
 
     virtual void setSmoothed()
     {
-        even_ = canBeEven_;
-        if (even_)
+        if (canBeEven_)
         {
-            weights_.setEven();
+            even_.reset(new demEvenBed(weights_));
         }
     }
 

@@ -6,7 +6,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demLinearWeights.H"
-#include "syncTools.H"
 #include "wedgePolyPatch.H"
 
 namespace Foam
@@ -20,9 +19,6 @@ static const scalar wallFactor = 1e3;
 // The set of cell centres around a point is flat in a direction if its variance
 // there is less than this times its total variance: an aspect ratio of 30 000
 static const scalar flat = 1e-9;
-
-// Round-off of the parts of cells at a point: cells of equal size pass on nothing
-static const scalar negligible = 1e-9;
 
 
 //- Solve m.k = b by elimination, largest pivot first. Directions with pivots below
@@ -66,8 +62,6 @@ static vector solve(const symmTensor& m, const vector& b, const scalar minPivot)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * set-up  * * * * * * * * * * * * * * * * * * //
 
 void Foam::demLinearWeights::moments
 (
@@ -239,8 +233,7 @@ Foam::demLinearWeights::demLinearWeights
 :
     mesh_(mesh),
     interface_(sliding),
-    shared_(Pstream::parRun()),
-    passesOn_(false)
+    shared_(Pstream::parRun())
 {
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -250,179 +243,6 @@ Foam::demLinearWeights::demLinearWeights
     if (interface_)
     {
         setLinkWeights();
-    }
-}
-
-
-// The tetrahedra of demLocator: cell centre, mean of a face's points, edge
-Foam::scalarList Foam::demLinearWeights::parts() const
-{
-    const pointField& points = mesh_.points();
-    scalarList part(cell_.size(), Zero);
-
-    forAll(mesh_.cells(), celli)
-    {
-        const point& centre = mesh_.cellCentres()[celli];
-
-        for (const label facei : mesh_.cells()[celli])
-        {
-            const face& f = mesh_.faces()[facei];
-            point middle(Zero);
-            for (const label pointi : f)
-            {
-                middle += points[pointi]/f.size();
-            }
-            scalarList corner(f.size(), Zero);
-            scalar whole = 0;
-
-            forAll(f, k)
-            {
-                const vector p(points[f[k]] - middle);
-                const vector q(points[f.nextLabel(k)] - middle);
-                const scalar quarter = mag((middle - centre) & (p ^ q))/24;
-
-                corner[k] += quarter;
-                corner[f.fcIndex(k)] += quarter;
-                whole += quarter;
-            }
-            forAll(f, k)
-            {
-                label slot = start_[f[k]];
-                while (cell_[slot] != celli)
-                {
-                    ++slot;
-                }
-                part[slot] += corner[k] + whole/f.size();
-            }
-        }
-    }
-    return part;
-}
-
-
-void Foam::demLinearWeights::setEven()
-{
-    const scalarList part(parts());
-    scalarField total(mesh_.nPoints(), Zero), lacking(total);
-    scalarField received(mesh_.nCells(), Zero);
-
-    forAll(total, pointi)
-    {
-        for (label slot = start_[pointi]; slot < start_[pointi + 1]; ++slot)
-        {
-            total[pointi] += part[slot];
-            received[cell_[slot]] += part[slot]/3;      // at the cell's own centre
-        }
-    }
-    addCopies(total);
-
-    scalarList excess(part);
-    forAll(total, pointi)
-    {
-        for (label slot = start_[pointi]; slot < start_[pointi + 1]; ++slot)
-        {
-            const scalar receives = weight_[slot]*total[pointi];
-            received[cell_[slot]] += receives;
-            excess[slot] = receives - part[slot];
-            lacking[pointi] += max(-excess[slot], scalar(0));
-        }
-    }
-    addCopies(lacking);
-
-    // At a sliding interface a part goes to the other side
-    if (interface_)
-    {
-        for (const demSlidingInterface::link& l : interface_->links())
-        {
-            for (const label pointi : mesh_.faces()[l.face])
-            {
-                lacking[pointi] = 0;
-            }
-        }
-    }
-    if (shared_)
-    {
-        syncTools::syncPointList(mesh_, lacking, minEqOp<scalar>(), GREAT);
-    }
-
-    gives_.clear();
-    takes_.clear();
-    forAll(total, pointi)
-    {
-        if (lacking[pointi] > negligible*total[pointi])
-        {
-            for (label slot = start_[pointi]; slot < start_[pointi + 1]; ++slot)
-            {
-                const label celli = cell_[slot];
-                if (excess[slot] > 0)
-                {
-                    gives_.append(fraction{celli, pointi, excess[slot]/received[celli]});
-                }
-                else if (excess[slot] < 0)
-                {
-                    takes_.append(fraction{celli, pointi, -excess[slot]/lacking[pointi]});
-                }
-            }
-        }
-    }
-    passesOn_ = returnReduce(gives_.size() + takes_.size() > 0, orOp<bool>());
-}
-
-
-// * * * * * * * * * * * * * * * use  * * * * * * * * * * * * * * * * * * * * //
-
-template<class Type>
-void Foam::demLinearWeights::addCopies(Field<Type>& atPoints) const
-{
-    if (shared_)
-    {
-        syncTools::syncPointList(mesh_, atPoints, plusEqOp<Type>(), Type(Zero));
-    }
-}
-
-
-template<class Type>
-void Foam::demLinearWeights::even(UList<Type>& cells) const
-{
-    if (!passesOn_)
-    {
-        return;
-    }
-    Field<Type> atPoints(mesh_.nPoints(), Zero);
-    const List<Type> before(cells);
-
-    for (const fraction& g : gives_)
-    {
-        const Type part(g.value*before[g.cell]);
-        atPoints[g.point] += part;
-        cells[g.cell] -= part;
-    }
-    addCopies(atPoints);
-    for (const fraction& t : takes_)
-    {
-        cells[t.cell] += t.value*atPoints[t.point];
-    }
-}
-
-
-template<class Type>
-void Foam::demLinearWeights::evenAdjoint(UList<Type>& cells) const
-{
-    if (!passesOn_)
-    {
-        return;
-    }
-    Field<Type> atPoints(mesh_.nPoints(), Zero);
-    const List<Type> before(cells);
-
-    for (const fraction& t : takes_)
-    {
-        atPoints[t.point] += t.value*before[t.cell];
-    }
-    addCopies(atPoints);
-    for (const fraction& g : gives_)
-    {
-        cells[g.cell] += g.value*(atPoints[g.point] - before[g.cell]);
     }
 }
 
@@ -564,9 +384,7 @@ void Foam::demLinearWeights::collect
     template void Foam::demLinearWeights::spread                                     \
     (const UList<demCellLocation>&, const UList<Type>&, UList<Type>&) const;           \
     template void Foam::demLinearWeights::collect                                    \
-    (const UList<demCellLocation>&, const UList<Type>&, UList<Type>&) const;           \
-    template void Foam::demLinearWeights::even(UList<Type>&) const;                  \
-    template void Foam::demLinearWeights::evenAdjoint(UList<Type>&) const;
+    (const UList<demCellLocation>&, const UList<Type>&, UList<Type>&) const;
 
 INSTANTIATE(Foam::scalar)
 INSTANTIATE(Foam::vector)

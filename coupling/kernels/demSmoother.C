@@ -6,6 +6,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demSmoother.H"
+#include "demConductance.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 #include "syncTools.H"
@@ -27,8 +28,13 @@ Foam::tmp<Foam::scalarField> Foam::demSmoother::conductance
     const vectorField& d
 )
 {
-    // lower limit of the cosine between d and the face normal, as in OpenFOAM
-    return max(S & d, 0.05*mag(S)*mag(d))/max(magSqr(d), VSMALL);
+    tmp<scalarField> tk(new scalarField(S.size()));
+
+    forAll(S, i)
+    {
+        tk.ref()[i] = demConductance(S[i], d[i]);
+    }
+    return tk;
 }
 
 

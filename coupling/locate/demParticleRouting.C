@@ -9,14 +9,6 @@
 #include "PstreamReduceOps.H"
 
 
-void Foam::demParticleRouting::append(DynamicList<scalar>& message, const point& x)
-{
-    message.append(x.x());
-    message.append(x.y());
-    message.append(x.z());
-}
-
-
 bool Foam::demParticleRouting::hasCells(const boundBox& box)
 {
     return box.min().x() <= box.max().x();
@@ -38,8 +30,8 @@ Foam::demParticleRouting::demParticleRouting(const fvMesh& mesh, const demLocato
     {
         if (mesh.nPoints())
         {
-            append(message, own.min());
-            append(message, own.max());
+            demAppend(message, own.min());
+            demAppend(message, own.max());
         }
     }
     demExchangeBuffers(out_, in_);
@@ -92,7 +84,7 @@ void Foam::demParticleRouting::walkOne
     if (end == demLocator::OTHER_RANK && forward && certainty < 2)
     {
         DynamicList<scalar>& message = (*forward)[t.rank];
-        append(message, t.position);
+        demAppend(message, t.position);
         message.append(t.cell);
         message.append(0);
         message.append(owner);

@@ -17,7 +17,7 @@
 namespace Foam
 {
 
-// Rank and cell of some of those particles that the pairs belong to
+// Rank and cell of some of the particles that the pairs belong to
 static List<scalar> pick
 (
     const UList<scalar>& pairs,
@@ -61,7 +61,7 @@ void Foam::demParticleRouting::query
             continue;
         }
         DynamicList<scalar>& message = out_[rank];
-        append(message, position(view, i));
+        demAppend(message, position(view, i));
         message.append(rankCell[2*i + 1]);
         message.append(certainty_[i]);
         message.append(Pstream::myProcNo());
@@ -106,7 +106,7 @@ void Foam::demParticleRouting::search
         {
             if (hasCells(bounds_[rank]) && bounds_[rank].contains(x))
             {
-                append(out_[rank], x);
+                demAppend(out_[rank], x);
                 out_[rank].append(i);
             }
         }
@@ -191,7 +191,7 @@ Foam::pointField Foam::demParticleRouting::centres
         const DynamicList<scalar>& message = in_[rank];
         for (label k = 0; k < message.size(); k += centreSize)
         {
-            append(out_[rank], locator_.centre(label(message[k])));
+            demAppend(out_[rank], locator_.centre(label(message[k])));
             out_[rank].append(message[k + 1]);
         }
     }

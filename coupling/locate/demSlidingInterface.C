@@ -129,12 +129,8 @@ void Foam::demSlidingInterface::addOwned
             message.append(face[g]);
             message.append(l.otherCell);
             message.append(l.cell);
-            for (const vector& x : {vector(here), l.area})
-            {
-                message.append(x.x());
-                message.append(x.y());
-                message.append(x.z());
-            }
+            demAppend(message, here);
+            demAppend(message, l.area);
         }
     }
     forAll(mine, r)

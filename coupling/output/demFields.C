@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFields.H"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "demColumns.H"
 
@@ -70,11 +71,10 @@ void Foam::demFields::make
     (
         new GeometricField<Type, fvPatchField, volMesh>
         (
-            IOobject
+            demFieldAt
             (
-                IOobject::groupName(name, "particles"),
-                mesh_.time().timeName(),
                 mesh_,
+                IOobject::groupName(name, "particles"),
                 IOobject::NO_READ,
                 IOobject::AUTO_WRITE
             ),

@@ -156,17 +156,8 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     if (coupling.found("record"))
     {
         const dictionary& record = coupling.subDict("record");
-        const wordList known({"interval", "energy", "budget"});
+        demCheckEntries(record, "coupling/record", wordList({"interval", "energy", "budget"}));
 
-        forAllConstIters(record, iter)
-        {
-            const keyType& key = iter().keyword();
-
-            if (!known.found(key))
-            {
-                demUnknown(record, "coupling/record", "entry", key, known);
-            }
-        }
         const scalar interval = record.get<scalar>("interval");
 
         if (interval < SMALL)

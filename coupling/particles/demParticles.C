@@ -53,42 +53,6 @@ void Foam::demParticles::checkDeltaT() const
 }
 
 
-// A steady solver needs coupling/interval, a transient one must not have it
-void Foam::demParticles::checkInterval() const
-{
-    const dictionary& own = dict_.coupling();
-    const bool steady = demFluid::steady(mesh_);
-
-    if (steady && !own.found("interval"))
-    {
-        FatalIOErrorInFunction(own)
-            << "This solver is steady (ddtSchemes): its iterations have no"
-            << " time step, but particles move in time. Add interval <s> to"
-            << " coupling in constant/" << demDict::name() << ", the time that"
-            << " particles move in each iteration, or take a transient solver"
-            << exit(FatalIOError);
-    }
-
-    for (const char* name : {"interval", "relaxation"})
-    {
-        if (!steady && own.found(name))
-        {
-            FatalIOErrorInFunction(own)
-                << name << " is for steady solvers; here particles move by the"
-                << " solver's time step. Take it out of coupling in constant/"
-                << demDict::name() << exit(FatalIOError);
-        }
-    }
-
-    if (steady && interval_ <= 0)
-    {
-        FatalIOErrorInFunction(own)
-            << "interval is " << interval_ << " s; it must be positive"
-            << exit(FatalIOError);
-    }
-}
-
-
 void Foam::demParticles::load()
 {
     demCreate(dem_);
@@ -168,7 +132,7 @@ void Foam::demParticles::setDiameter()
 }
 
 
-// Ids of the core have 64 bits, those in lagrangian/particles may have fewer
+// Ids of the core have 64 bits, ids in lagrangian/particles may have fewer
 void Foam::demParticles::checkIds() const
 {
     const int64_t largest = largestId(view_);
@@ -256,13 +220,12 @@ Foam::demParticles::demParticles(const fvMesh& mesh, const bool volumeAveraged)
     view_(),
     fluid_(),
     diameter_(dict_.coupling().getOrDefault<scalar>("diameter", 0)),
-    interval_(dict_.coupling().getOrDefault<scalar>("interval", 0)),
+    interval_(demFluid::interval(mesh, dict_.coupling())),
     window_(0),
     offset_(0),
     totals_()
 {
     checkDeltaT();
-    checkInterval();
     load();
 }
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demPassedWalls.H"
+#include "demFiles.H"
 #include "movingWallVelocityFvPatchVectorField.H"
 #include "wallFvPatch.H"
 
@@ -76,15 +77,8 @@ Foam::demPassedWalls::demPassedWalls(const volScalarField& voidFraction)
     mesh_(voidFraction.mesh())
 {
     const volVectorField* U = mesh_.findObject<volVectorField>("U");
-    const bool given = IOobject
-    (
-        "voidFraction",
-        mesh_.time().timeName(),
-        mesh_,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    ).typeHeaderOk<volScalarField>(true);
+    IOobject file(demFieldAt(mesh_, "voidFraction", IOobject::MUST_READ));
+    const bool given = file.typeHeaderOk<volScalarField>(true);
 
     DynamicList<label> walls;
 
@@ -124,8 +118,8 @@ void Foam::demPassedWalls::check(const volVectorField& U) const
 
             FatalErrorInFunction
                 << "The wall " << name << " lets fluid in since time "
-                << mesh_.time().value() << " s, but its void fraction is that of the cell"
-                << " behind it, because no fluid passed it at the start; add 0/voidFraction"
+                << mesh_.time().value() << " s, but it takes the void fraction of the"
+                << " cell behind it, because no fluid passed it at the start; add 0/voidFraction"
                 << " with " << name << " { type fixedValue; value uniform 1; } for its"
                 << " superficial velocity, or { type zeroGradient; } for the interstitial one"
                 << exit(FatalError);

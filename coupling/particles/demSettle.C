@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demSettle.H"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "demCommunicator.H"
 #include "demInteger.H"
@@ -48,14 +49,9 @@ Foam::scalar Foam::demSettle::viscosity(const word& effect) const
 {
     const IOdictionary transport
     (
-        IOobject
+        demFileAt
         (
-            "transportProperties",
-            mesh_.time().constant(),
-            mesh_,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
+            mesh_.time().constant(), "transportProperties", mesh_, IOobject::READ_IF_PRESENT
         )
     );
     const dictionary& own = dict_.coupling();

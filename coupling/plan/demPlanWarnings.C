@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demPlan.H"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "demFluid.H"
 #include "IOdictionary.H"
@@ -147,15 +148,7 @@ void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
     const fileName constant(time.globalPath()/time.constant());
     const IOdictionary decomposition
     (
-        IOobject
-        (
-            "decomposeParDict",
-            time.system(),
-            time,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        demFileAt(time.system(), "decomposeParDict", time, IOobject::READ_IF_PRESENT)
     );
     const word method(decomposition.getOrDefault<word>("method", word::null));
     DynamicList<string> found;

@@ -6,6 +6,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demOverpackingLimiter.H"
+#include "demConductance.H"
 #include "volFields.H"
 #include "syncTools.H"
 
@@ -52,16 +53,10 @@ Foam::demOverpackingLimiter::demOverpackingLimiter
     const vectorField& S = mesh_.faceAreas();
     const pointField& C = mesh_.cellCentres();
 
-    // lower limit of the cosine between d and the face normal, as in OpenFOAM
-    const auto k = [](const vector& area, const vector& d)
-    {
-        return max(area & d, 0.05*mag(area)*mag(d))/max(magSqr(d), VSMALL);
-    };
-
     forAll(internalK_, facei)
     {
         const label n = mesh_.faceNeighbour()[facei];
-        internalK_[facei] = k(S[facei], C[n] - C[owner[facei]]);
+        internalK_[facei] = demConductance(S[facei], C[n] - C[owner[facei]]);
         sumK_[owner[facei]] += internalK_[facei];
         sumK_[n] += internalK_[facei];
     }
@@ -76,7 +71,7 @@ Foam::demOverpackingLimiter::demOverpackingLimiter
     swap(other);
     const auto connect = [&](const label i, const vector& area)
     {
-        boundaryK_[i] = k(area, arm[i] - other[i]);
+        boundaryK_[i] = demConductance(area, arm[i] - other[i]);
         sumK_[cellOf(i)] += boundaryK_[i];
     };
     for (const polyPatch& patch : mesh_.boundaryMesh())

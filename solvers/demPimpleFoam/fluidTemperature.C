@@ -6,6 +6,7 @@
 
 #include "fluidTemperature.H"
 #include "checkTimeScheme.H"
+#include "demFiles.H"
 #include "fluidBudget.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
@@ -15,14 +16,7 @@ namespace Foam
 
 static IOobject temperatureFile(const fvMesh& mesh, const demHeatExchange& exchange)
 {
-    IOobject io
-    (
-        "T",
-        mesh.time().timeName(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::AUTO_WRITE
-    );
+    IOobject io(demFieldAt(mesh, "T", IOobject::MUST_READ, IOobject::AUTO_WRITE));
 
     if (!io.typeHeaderOk<volScalarField>(true))
     {

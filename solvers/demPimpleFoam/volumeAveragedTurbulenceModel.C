@@ -6,6 +6,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "volumeAveragedTurbulenceModel.H"
+#include "demFiles.H"
 #include "linearViscousStress.H"
 #include "makeTurbulenceModel.H"
 #include "fvcGrad.H"
@@ -108,15 +109,7 @@ Foam::volumeAveragedTurbulenceModel::New
 {
     const IOdictionary properties
     (
-        IOobject
-        (
-            propertiesName,
-            U.time().constant(),
-            U.db(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        demFileAt(U.time().constant(), propertiesName, U.db(), IOobject::MUST_READ)
     );
     const word type(properties.lookup("simulationType"));
 
@@ -159,15 +152,7 @@ Foam::volumeAveragedTurbulenceModel::phi() const
     (
         new surfaceScalarField
         (
-            IOobject
-            (
-                "none",
-                runTime_.timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
+            demFileAt(runTime_.timeName(), "none", mesh_, IOobject::NO_READ),
             mesh_,
             dimensionedScalar(alphaRhoPhi_.dimensions(), Zero)
         )
