@@ -6,6 +6,7 @@
 
 #include "demPatchTriangles.H"
 #include "demColumns.H"
+#include "DynamicList.H"
 #include "triPointRef.H"
 
 Foam::pointField Foam::demPatchTriangles::of(const polyPatch& patch, labelList& face)
