@@ -47,7 +47,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         pair->exponent > 0.0, DEM_ERROR_INPUT,
         "dry between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
         pair->a->name, pair->b->name);
-    dry->min_force = dem_attraction_min_force(dry->attraction);
     dry->alpha =
         dem_restitution_critical(pair->exponent)*(loss/sqrt(DEM_RESTITUTION_PI2 + loss*loss));
     return DEM_OK;

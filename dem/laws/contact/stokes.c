@@ -130,7 +130,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     stokes->critical = dem_restitution_critical(pair->exponent);
     stokes->loss = dem_restitution_loss(stokes->restitution);
     stokes->more_mass = more_mass(stokes, pair);
-    stokes->min_force = dem_attraction_min_force(stokes->attraction);
     return DEM_OK;
 }
 

@@ -43,7 +43,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
         pair->a->name, pair->b->name);
     DEM_TRY(dem_parcels_scale(pair, "viscous", "coefficient", 2, &viscous->coefficient));
-    viscous->min_force = dem_attraction_min_force(viscous->attraction);
     return DEM_OK;
 }
 
