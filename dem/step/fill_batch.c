@@ -113,6 +113,18 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
 
 /* ---- geometry -------------------------------------------------------------------------------- */
 
+DEM_MATH void store_motion(const struct dem_contact_row *r, struct dem_contact_batch *restrict b,
+                           int c)
+{
+    b->overlap[c] = r->overlap;
+    b->touching[c] = r->touching;
+    b->vn[c] = r->vn;
+    b->sx[c] = r->sx;
+    b->sy[c] = r->sy;
+    b->sz[c] = r->sz;
+    b->normal_spin[c] = r->normal_spin;
+}
+
 /* In one loop, because the roots and the division of the first part leave time for the second. */
 DEM_KERNEL
 static void geometry_of_pairs(struct dem_contact_batch *restrict b,
@@ -124,8 +136,16 @@ static void geometry_of_pairs(struct dem_contact_batch *restrict b,
 
         dem_geometry_pair(g, c, b->dt, &r);
         dem_geometry_motion(g, c, 1.0, &r);
-        DEM_STORE(nx, ny, nz, hx, hy, hz, reduced_radius, reduced_mass, min_radius)
-        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
+        b->nx[c] = r.nx;
+        b->ny[c] = r.ny;
+        b->nz[c] = r.nz;
+        b->hx[c] = r.hx;
+        b->hy[c] = r.hy;
+        b->hz[c] = r.hz;
+        b->reduced_radius[c] = r.reduced_radius;
+        b->reduced_mass[c] = r.reduced_mass;
+        b->min_radius[c] = r.min_radius;
+        store_motion(&r, b, c);
     }
 }
 
@@ -154,7 +174,7 @@ static void motion_at_walls(struct dem_contact_batch *restrict b,
                                     .overlap = b->overlap[c]};
 
         dem_geometry_motion(g, c, 0.5, &r);
-        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
+        store_motion(&r, b, c);
     }
 }
 

@@ -52,7 +52,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-DEM_CONTACT_LOOP(apply, dem_dry, dem_dry_row, dem_dry_columns, eta, fn, adhesive_force)
+#define LAW dem_dry
+#define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)

@@ -54,7 +54,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;
 }
 
-DEM_CONTACT_LOOP(apply, dem_viscous, dem_viscous_row, dem_viscous_columns, eta, fn, adhesive_force)
+#define LAW dem_viscous
+#define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
