@@ -38,9 +38,9 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
         const double drag = 9.42477796076937971*b->viscosity[c]*r.diameter*    /* 3 pi mu d G */
                             drag_over_stokes(&r);
 
-        b->b[c] += drag;
-        b->bux[c] += drag*b->ux[c];
-        b->buy[c] += drag*b->uy[c];
-        b->buz[c] += drag*b->uz[c];
+        b->drag[c] += drag;
+        b->drag_ux[c] += drag*b->ux[c];
+        b->drag_uy[c] += drag*b->uy[c];
+        b->drag_uz[c] += drag*b->uz[c];
     }
 }
