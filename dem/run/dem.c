@@ -20,6 +20,7 @@
 #include "ranks/mpi_error.h"
 #include "ranks/agree.h"
 #include "step/step.h"
+#include "step/step_backup.h"
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /*
- * limits.c -- largest overlap and forces that are not a number, batch by batch; at the end of the
- * sweep an error message if needed.
+ * limits.c -- displacements of a drift; largest overlap and forces that are not a number, batch by
+ * batch, and at the end of the sweep an error message if needed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/math.h"
 #include "laws/effect.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -106,4 +107,81 @@ int dem_limits_check_status(const struct dem_state *p)
         "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
         "smaller step or a stiffer material, or raise time/maxOverlap",
         names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)p->steps, w->limit);
+}
+
+/* ---- displacements --------------------------------------------------------------------------- */
+
+/* m: displacement of walls in the last step towards which a particle may have moved, with two sides:
+   behind a wall with one side it is found anyway. */
+static double two_sided_displacement(const struct dem_walls *w)
+{
+    int moves = w->following > 0;
+
+    for (int k = 0; k < w->frames; k++)
+    {
+        moves |= w->frame[k].triangles;
+    }
+    return moves ? w->displacement : 0.0;
+}
+
+int dem_limits_check_displacements(const struct dem_state *p, double max_speed)
+{
+    const double light = dem_particle_max_speed, dt = p->dt;
+    const double limit = p->limits.max_speed > 0.0 ? p->limits.max_speed : INFINITY;
+    double min_radius = INFINITY;
+
+    for (int c = 0; c < p->interaction_table.classes; c++)
+    {
+        const int material =
+            (int)(p->interaction_table.list[c].pair.a - p->interaction_table.material);
+
+        min_radius = p->interaction_table.list[c].entries > 0
+                         ? fmin(min_radius, p->interaction_table.min_radius[material])
+                         : min_radius;
+    }
+    DEM_REQUIRE(
+        p->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
+        "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
+        "contact; use a smaller time/step, or a slower motion",
+        p->walls.displacement, (long long)p->steps, p->time, min_radius);
+    const double wall = two_sided_displacement(&p->walls);
+
+    for (size_t i = 0;
+         (max_speed*dt + wall > min_radius || max_speed > limit || max_speed > light) &&
+         i < p->particles.n;
+         i++)
+    {
+        const struct dem_particle *const q = &p->particles.record[i];
+        const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
+
+        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER,
+                    "the velocity of particle %lld is not a number at step %lld; check the "
+                    "forces on it, and the fluid around it",
+                    (long long)q->id, (long long)p->steps);
+        DEM_REQUIRE(
+            speed <= limit, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
+            "or raise the limit",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, limit,
+            p->interaction_table.step_limit < dt*(1.0 - 1e-9)
+                ? "the time step is forced above the limit of its laws"
+                : "an impact, a wall, the fluid");
+        DEM_REQUIRE(
+            speed <= light, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
+            "use a smaller time/step, or check the forces on it",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, light);
+        DEM_REQUIRE(
+            speed*dt <= q->radius, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
+            "or it may miss a contact; use a smaller time/step, or check the forces on it",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, speed,
+            q->radius);
+        DEM_REQUIRE(
+            speed*dt + wall <= q->radius, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld and a wall by %.3g m; the limit of the sum is %g m, "
+            "its radius, or they may miss a contact; use a smaller time/step, or a slower motion",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, wall, q->radius);
+    }
+    return DEM_OK;
 }

@@ -3,8 +3,9 @@
  * steps around it. The function step() below is the table of phases:
  *
  * 1. Drift positions, rotate orientations, move walls.
- * 2. All ranks agree on the largest speeds, on a request to stop and on errors (one all-reduce): in
- *    each step, or every few steps where time/maxSpeed bounds how far particles can have moved.
+ * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors (one
+ *    all-reduce): in each step, or every few steps where time/maxSpeed bounds how far particles can
+ *    have moved.
  * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
  * 4. Contact forces, batch by batch (sweep_contacts.c).
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
@@ -19,19 +20,20 @@
  */
 #include "step/step.h"
 #include "core/clock.h"
-#include "core/memory.h"
+#include "particles/orientation.h"
+#include "particles/scalars.h"
+#include "ranks/agree.h"
 #include "records/energy_balance.h"
+#include "records/grid_averages.h"
 #include "records/timers.h"
 #include "records/wall_statistics.h"
 #include "sources/flows.h"
-#include "particles/orientation.h"
-#include "particles/scalars.h"
-#include "records/grid_averages.h"
-#include "ranks/agree.h"
 #include "step/body_window.h"
 #include "step/drift.h"
 #include "step/eddies.h"
+#include "step/limits.h"
 #include "step/neighbor_update.h"
+#include "step/step_backup.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
@@ -49,153 +51,7 @@ static struct dem_scalar_step scalar_step(const struct dem_state *p, double h)
                                     .window = p->window};
 }
 
-/* ---- backup ---------------------------------------------------------------------------------- */
-
-/* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
-static int has_invalid_number(const struct dem_particles *p)
-{
-    const double *const force = dem_column(p, DEM_COLUMN_FORCE);
-    const double *const torque = dem_column(p, DEM_COLUMN_TORQUE);
-    double sum = 0.0;
-
-    for (size_t i = 0; i < p->n; i++)
-    {
-        for (size_t k = 0; k < 3; k++)
-        {
-            sum += 0.0*(p->record[i].x[k] + p->record[i].v[k] + p->record[i].w[k] +
-                          force[3*i + k] + torque[3*i + k]);
-        }
-    }
-    return isnan(sum);
-}
-
-/* Within a window velocities are half a kick behind. The copy gets this half kick [s]; the run
-   itself is not changed by the backup. */
-static int make_backup(struct dem_state *p, int status, double half_kick)
-{
-    struct dem_backup *const backup = &p->backup;
-    double invalid = has_invalid_number(&p->particles);
-
-    DEM_TRY(dem_agree_max(p, status, &invalid, 1));
-    if (invalid > 0.0)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(dem_backup_save(backup, &p->particles, &p->contacts, p->pairs.wall_facet));
-    dem_flows_backup(p->flows);
-    backup->time = p->time;
-    backup->steps = p->steps;
-    if (half_kick > 0.0)
-    {
-        dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies,
-                         &(struct dem_body_sweep){.kick = half_kick,
-                                                  .window = p->window,
-                                                  .scalars = scalar_step(p, p->dt)});
-        dem_domain_constrain(&p->domain, &backup->particles);
-    }
-    return DEM_OK;
-}
-
-int dem_step_backup(struct dem_state *p)
-{
-    if (p->half_step_ahead)
-    {
-        p->backup.steps = p->backup.valid ? p->backup.steps : p->steps - p->backup.every;
-        return DEM_OK;
-    }
-    return make_backup(p, DEM_OK, 0.0);
-}
-
-/* Keep the first error of this rank until the ranks agree; returns it, with its text. */
-static int keep_error(struct dem_unagreed *u, int status)
-{
-    if (status && !u->status)
-    {
-        u->status = status;
-        snprintf(u->text, sizeof u->text, "%s", dem_error_text());
-    }
-    return u->status ? dem_error(u->status, "%s", u->text) : DEM_OK;
-}
-
 /* ---- phases of the step ---------------------------------------------------------------------- */
-
-/* m: displacement of walls in the last step towards which a particle may have moved, with two sides:
-   behind a wall with one side it is found anyway. */
-static double two_sided_displacement(const struct dem_walls *w)
-{
-    int moves = w->following > 0;
-
-    for (int k = 0; k < w->frames; k++)
-    {
-        moves |= w->frame[k].triangles;
-    }
-    return moves ? w->displacement : 0.0;
-}
-
-/* A particle that moves by more than its radius in one step may pass another, or triangles, unseen,
-   and so may triangles that move towards it; the limit is the smallest radius of the materials with
-   contact effects. Speeds above time/maxSpeed and above the speed of light are errors, too. */
-static int check_displacements(const struct dem_state *p, double max_speed, double dt)
-{
-    const double light = dem_particle_max_speed;
-    const double limit = p->limits.max_speed > 0.0 ? p->limits.max_speed : INFINITY;
-    double min_radius = INFINITY;
-
-    for (int c = 0; c < p->interaction_table.classes; c++)
-    {
-        const int material =
-            (int)(p->interaction_table.list[c].pair.a - p->interaction_table.material);
-
-        min_radius = p->interaction_table.list[c].entries > 0
-                         ? fmin(min_radius, p->interaction_table.min_radius[material])
-                         : min_radius;
-    }
-    DEM_REQUIRE(
-        p->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
-        "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
-        "contact; use a smaller time/step, or a slower motion",
-        p->walls.displacement, (long long)p->steps, p->time, min_radius);
-    const double wall = two_sided_displacement(&p->walls);
-
-    for (size_t i = 0;
-         (max_speed*dt + wall > min_radius || max_speed > limit || max_speed > light) &&
-         i < p->particles.n;
-         i++)
-    {
-        const struct dem_particle *const q = &p->particles.record[i];
-        const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
-
-        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER,
-                    "the velocity of particle %lld is not a number at step %lld; check the "
-                    "forces on it, and the fluid around it",
-                    (long long)q->id, (long long)p->steps);
-        DEM_REQUIRE(
-            speed <= limit, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
-            "or raise the limit",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, limit,
-            p->interaction_table.step_limit < dt*(1.0 - 1e-9)
-                ? "the time step is forced above the limit of its laws"
-                : "an impact, a wall, the fluid");
-        DEM_REQUIRE(
-            speed <= light, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
-            "use a smaller time/step, or check the forces on it",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, light);
-        DEM_REQUIRE(
-            speed*dt <= q->radius, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
-            "or it may miss a contact; use a smaller time/step, or check the forces on it",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, speed,
-            q->radius);
-        DEM_REQUIRE(
-            speed*dt + wall <= q->radius, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld and a wall by %.3g m; the limit of the sum is %g m, "
-            "its radius, or they may miss a contact; use a smaller time/step, or a slower motion",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, wall, q->radius);
-    }
-    return DEM_OK;
-}
 
 /* The drift itself, unless the last step has done so already. Returns the largest speed of this
    rank [m/s]. */
@@ -214,7 +70,7 @@ static double drift_particles(struct dem_state *p)
 
 /* 1. From here on p->time and p->steps refer to the end of the step. Returns the largest speed
    of this rank [m/s]. */
-static double drift(struct dem_state *p, double kick)
+static double drift(struct dem_state *p, int last)
 {
     const double max_speed = drift_particles(p);
 
@@ -226,16 +82,26 @@ static double drift(struct dem_state *p, double kick)
     if (p->energy_balance->open)
     {
         dem_energy_balance_after_drift(p, p->dt);
-        p->energy_balance->sums_elastic = kick < p->dt;
+        p->energy_balance->sums_elastic = last;
     }
     return max_speed;
+}
+
+/* An error of the last step or of this drift, on this rank. */
+static int check_drift(struct dem_state *p, double max_speed, int status)
+{
+    status = dem_unagreed_keep_error(&p->unagreed, status);
+    status = status ? status : dem_limits_check_displacements(p, max_speed);
+    status = dem_unagreed_keep_error(&p->unagreed, status);
+    dem_timers_end_phase(p->timers, DEM_PHASE_DRIFT);
+    return status;
 }
 
 /* Take the largest displacements [m] of all ranks in the steps since the last agreement. */
 static int agree_now(struct dem_state *p, double max[DEM_UNAGREED_STEPS + 1])
 {
     struct dem_unagreed *const u = &p->unagreed;
-    int status = keep_error(u, DEM_OK), invalid = 0;
+    int status = dem_unagreed_keep_error(u, DEM_OK), invalid = 0;
 
     memcpy(max, u->moved, (size_t)u->n*sizeof *max);
     max[u->n] = p->stop_request ? (double)*p->stop_request : 0.0;
@@ -257,9 +123,19 @@ static int agree_now(struct dem_state *p, double max[DEM_UNAGREED_STEPS + 1])
     return DEM_OK;
 }
 
-/* 2. Agree now, or in a later step when no particle below time/maxSpeed can have used up a skin until
-   then; n: number of steps agreed on. Ghost data is sent before, to hide its latency; when lists are
-   rebuilt it was not needed. `last`: 1 in the last step of a window. */
+/* 2. Ghost data leaves before the ranks agree, which hides its latency; when lists are rebuilt it was
+   not needed. */
+static void send_ghosts(struct dem_state *p)
+{
+    if (!p->stale)
+    {
+        dem_halo_send(&p->halo, &p->particles, DEM_HALO_CANDIDATES);
+        dem_timers_end_phase(p->timers, DEM_PHASE_REFRESH);
+    }
+}
+
+/* Agree now, or in a later step when no particle below time/maxSpeed can have used up a skin until
+   then; n: number of steps agreed on. */
 static int agree(struct dem_state *p, double max_speed, int last,
                  double max[DEM_UNAGREED_STEPS + 1], int *n)
 {
@@ -269,11 +145,6 @@ static int agree(struct dem_state *p, double max_speed, int last,
     u->moved[u->n++] = max_speed*p->dt;
     u->bound += limit*p->dt;
     *n = 0;
-    if (!p->stale)
-    {
-        dem_halo_send(&p->halo, &p->particles, DEM_HALO_CANDIDATES);
-        dem_timers_end_phase(p->timers, DEM_PHASE_REFRESH);
-    }
     if (last || u->n == DEM_UNAGREED_STEPS || dem_neighbor_agreement_due(p, u->bound))
     {
         DEM_TRY(agree_now(p, max));
@@ -300,19 +171,18 @@ struct due    /* what is due in this step, and what follows from it for the swee
     int observed;           /* forces or positions are read after this step */
 };
 
-static struct due what_is_due(const struct dem_state *p, double kick)
+static struct due what_is_due(const struct dem_state *p, int last)
 {
-    const int last = kick < p->dt || p->stopped;
     struct due due = {0};
 
-    due.backup =
-        p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && kick == p->dt;
+    due.backup = p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && !last;
     due.fused = !due.backup && !p->energy_balance->open;
-    due.observed = last || dem_grid_averages_due(p->averages, p->time);
+    due.observed = last || p->stopped || dem_grid_averages_due(p->averages, p->time);
     return due;
 }
 
-static struct dem_body_sweep options(const struct dem_state *p, const struct due *due, double kick)
+static struct dem_body_sweep sweep_options(const struct dem_state *p, const struct due *due,
+                                           double kick)
 {
     const int flat = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
     struct dem_scalar_step scalars = scalar_step(p, p->dt);
@@ -360,8 +230,11 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
     dem_timers_end_phase(p->timers, DEM_PHASE_SUMS);
     if (due->backup)
     {
+        const struct dem_body_sweep half = {
+            .kick = 0.5*p->dt, .window = p->window, .scalars = scalar_step(p, p->dt)};
+
         dem_timers_begin_rare_phase(p->timers, DEM_PHASE_SUMS);
-        status = make_backup(p, keep_error(&p->unagreed, status), 0.5*p->dt);
+        status = dem_step_backup_ahead(p, dem_unagreed_keep_error(&p->unagreed, status), &half);
         dem_timers_end_rare_phase(p->timers, DEM_PHASE_BACKUP);
     }
     dem_bodies_work_until(pass, p->particles.n);
@@ -386,33 +259,32 @@ static int sample_averages(struct dem_state *p, int status)
 
 /* ---- the step -------------------------------------------------------------------------------- */
 
-/* The step from `since` to p->time, with a kick [s] of dt, or of dt/2 at the end of a window. An
-   error of this rank after the agreement, or in a step without one, is kept for the next one, so that
-   all ranks stop together. */
-static int step(struct dem_state *p, double since, double kick, int *status)
+/* The step from `since` [s] to p->time; the last one of a window ends with half a kick. An error of
+   this rank after the agreement, or in a step without one, is kept for the next one, so that all
+   ranks stop together. */
+static int step(struct dem_state *p, double since, int last, int *status)
 {
+    const double kick = last ? 0.5*p->dt : p->dt;
     struct dem_body_pass pass;
     double moved[DEM_UNAGREED_STEPS + 1];
     int agreed;
 
     /* 1. drift */
     dem_timers_begin_step(p->timers);
-    const double max_speed = drift(p, kick);
+    const double max_speed = drift(p, last);
 
-    *status = keep_error(&p->unagreed, *status);
-    *status = *status ? *status : check_displacements(p, max_speed, p->dt);
-    *status = keep_error(&p->unagreed, *status);
-    dem_timers_end_phase(p->timers, DEM_PHASE_DRIFT);
+    *status = check_drift(p, max_speed, *status);
 
-    /* 2. agree */
-    DEM_TRY(agree(p, max_speed, kick < p->dt, moved, &agreed));
+    /* 2. send ghost data, agree */
+    send_ghosts(p);
+    DEM_TRY(agree(p, max_speed, last, moved, &agreed));
 
     /* 3. refresh ghosts, prune or rebuild */
-    DEM_TRY(dem_neighbor_update(p, moved, agreed, kick < p->dt || p->stopped));
+    DEM_TRY(dem_neighbor_update(p, moved, agreed, last || p->stopped));
     count_work(p);
 
-    const struct due due = what_is_due(p, kick);
-    const struct dem_body_sweep sweep = options(p, &due, kick);
+    const struct due due = what_is_due(p, last);
+    const struct dem_body_sweep sweep = sweep_options(p, &due, kick);
 
     /* 4. contacts */
     dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sweep);
@@ -476,9 +348,10 @@ static int make_steps(struct dem_state *p)
     for (int64_t k = p->steps - p->steps_before + 1; k <= p->steps_ahead && !p->stopped; k++)
     {
         const double since = p->time;
+        const int last = k == p->steps_ahead;
 
         p->time = p->window_start + (double)k*p->dt;
-        DEM_TRY(step(p, since, k < p->steps_ahead ? p->dt : 0.5*p->dt, &status));
+        DEM_TRY(step(p, since, last, &status));
         tell_progress(p);
     }
     DEM_TRY(dem_agree(p, status));
