@@ -48,7 +48,7 @@ static struct dem_scalar_step scalar_step(const struct dem_state *p, double h)
                                         p->interaction_table.listed ? &p->interaction_table : NULL,
                                     .contacts = &p->contacts,
                                     .h = h,
-                                    .window = p->window};
+                                    .window = p->window.length};
 }
 
 /* ---- phases of the step ---------------------------------------------------------------------- */
@@ -59,10 +59,10 @@ static double drift_particles(struct dem_state *p)
 {
     struct dem_drift_speeds speeds = {{0.0}, {0.0}};
 
-    if (p->next_drift_done)
+    if (p->next_drift.done)
     {
-        p->next_drift_done = 0;
-        return p->fastest;
+        p->next_drift.done = 0;
+        return p->next_drift.max_speed;
     }
     dem_drift_particles(p->particles.record, p->particles.n, p->dt, p->domain.round, &speeds);
     return dem_drift_max_speed(&speeds);
@@ -78,7 +78,7 @@ static double drift(struct dem_state *p, int last)
     p->steps++;
     dem_eddies_advance(&p->particles, &p->interaction_table.bodies, p->dt, p->steps);
     dem_walls_move(&p->walls, p->time, p->dt);
-    dem_walls_advance(&p->walls, p->steps - p->steps_before, p->steps_ahead);
+    dem_walls_advance(&p->walls, p->steps - p->window.steps_before, p->window.steps);
     if (p->energy_balance->open)
     {
         dem_energy_balance_after_drift(p, p->dt);
@@ -119,7 +119,7 @@ static int agree_now(struct dem_state *p, double max[DEM_UNAGREED_STEPS + 1])
                 "a particle's velocity is not a number at step %lld; check the forces "
                 "on it, and the fluid around it",
                 (long long)p->steps);
-    p->stopped = (int)max[u->n];
+    p->window.stopped = (int)max[u->n];
     return DEM_OK;
 }
 
@@ -177,7 +177,7 @@ static struct due what_is_due(const struct dem_state *p, int last)
 
     due.backup = p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && !last;
     due.fused = !due.backup && !p->energy_balance->open;
-    due.observed = last || p->stopped || dem_grid_averages_due(p->averages, p->time);
+    due.observed = last || p->window.stopped || dem_grid_averages_due(p->averages, p->time);
     return due;
 }
 
@@ -192,7 +192,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *p, const stru
                        : NULL;
     return (struct dem_body_sweep){
         .kick = kick,
-        .window = p->window,
+        .window = p->window.length,
         .contacts = &p->contacts,
         .sums_first = !due->fused,
         .unobserved = due->fused && !due->observed,
@@ -231,7 +231,7 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
     if (due->backup)
     {
         const struct dem_body_sweep half = {
-            .kick = 0.5*p->dt, .window = p->window, .scalars = scalar_step(p, p->dt)};
+            .kick = 0.5*p->dt, .window = p->window.length, .scalars = scalar_step(p, p->dt)};
 
         dem_timers_begin_rare_phase(p->timers, DEM_PHASE_SUMS);
         status = dem_step_backup_ahead(p, dem_unagreed_keep_error(&p->unagreed, status), &half);
@@ -239,8 +239,8 @@ static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_b
     }
     dem_bodies_work_until(pass, p->particles.n);
     dem_domain_constrain(&p->domain, &p->particles);
-    p->next_drift_done = pass->unobserved && pass->sweep->round;
-    p->fastest = dem_drift_max_speed(&pass->speeds);
+    p->next_drift.done = pass->unobserved && pass->sweep->round;
+    p->next_drift.max_speed = dem_drift_max_speed(&pass->speeds);
     dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
     return check_scalars(p, pass, status);
 }
@@ -280,7 +280,7 @@ static int step(struct dem_state *p, double since, int last, int *status)
     DEM_TRY(agree(p, max_speed, last, moved, &agreed));
 
     /* 3. refresh ghosts, prune or rebuild */
-    DEM_TRY(dem_neighbor_update(p, moved, agreed, last || p->stopped));
+    DEM_TRY(dem_neighbor_update(p, moved, agreed, last || p->window.stopped));
     count_work(p);
 
     const struct due due = what_is_due(p, last);
@@ -310,7 +310,7 @@ static void first_kick(struct dem_state *p, double kick)
         dem_sweep_bodies(&p->particles, &p->interaction_table.bodies,
                          &(struct dem_body_sweep){
                              .kick = kick,
-                             .window = p->window,
+                             .window = p->window.length,
                              .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
                              .time = p->time,
                              .energy_balance = p->energy_balance->open
@@ -344,21 +344,23 @@ static int make_steps(struct dem_state *p)
 {
     int status = DEM_OK;
 
-    p->stopped = p->half_step_ahead = p->next_drift_done = 0;
-    for (int64_t k = p->steps - p->steps_before + 1; k <= p->steps_ahead && !p->stopped; k++)
+    p->window.stopped = p->window.half_step_ahead = p->next_drift.done = 0;
+    for (int64_t k = p->steps - p->window.steps_before + 1;
+         k <= p->window.steps && !p->window.stopped;
+         k++)
     {
         const double since = p->time;
-        const int last = k == p->steps_ahead;
+        const int last = k == p->window.steps;
 
-        p->time = p->window_start + (double)k*p->dt;
+        p->time = p->window.start + (double)k*p->dt;
         DEM_TRY(step(p, since, last, &status));
         tell_progress(p);
     }
     DEM_TRY(dem_agree(p, status));
-    p->half_step_ahead = p->steps - p->steps_before < p->steps_ahead;
-    if (!p->half_step_ahead)
+    p->window.half_step_ahead = p->steps - p->window.steps_before < p->window.steps;
+    if (!p->window.half_step_ahead)
     {
-        dem_bodies_end_window(&p->particles, &p->domain, p->window);
+        dem_bodies_end_window(&p->particles, &p->domain, p->window.length);
         dem_scalars_end_window(&p->particles, &p->interaction_table);
     }
     dem_timers_end_advance(p->timers);
@@ -368,16 +370,16 @@ static int make_steps(struct dem_state *p)
 int dem_step_window(struct dem_state *p, double dt, int64_t steps)
 {
     /* s  an open window has left velocities ahead by this */
-    const double done = p->half_step_ahead ? 0.5*p->dt : 0.0;
+    const double done = p->window.half_step_ahead ? 0.5*p->dt : 0.0;
 
-    p->window = dt*(double)steps;
+    p->window.length = dt*(double)steps;
     p->dt = dt;
-    p->window_start = p->time;
-    p->steps_before = p->steps;
-    p->steps_ahead = steps;
+    p->window.start = p->time;
+    p->window.steps_before = p->steps;
+    p->window.steps = steps;
     dem_timers_begin_advance(p->timers, p->particles.n, steps);
     dem_walls_move(&p->walls, p->time, 0.0);
-    dem_walls_begin_advance(&p->walls, p->window);
+    dem_walls_begin_advance(&p->walls, p->window.length);
     dem_bodies_begin_window(&p->particles, &p->interaction_table.bodies);
     dem_scalars_begin_window(&p->particles, &p->interaction_table);
     if ((p->particles.ghost_window.n > 0 || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) &&
@@ -393,6 +395,6 @@ int dem_step_window(struct dem_state *p, double dt, int64_t steps)
 int dem_step_continue(struct dem_state *p)
 {
     dem_timers_begin_advance(p->timers, p->particles.n,
-                             p->steps_ahead - (p->steps - p->steps_before));
+                             p->window.steps - (p->steps - p->window.steps_before));
     return make_steps(p);
 }

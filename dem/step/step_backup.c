@@ -51,7 +51,7 @@ int dem_step_backup_ahead(struct dem_state *p, int status, const struct dem_body
 
 int dem_step_backup(struct dem_state *p)
 {
-    if (p->half_step_ahead)
+    if (p->window.half_step_ahead)
     {
         p->backup.steps = p->backup.valid ? p->backup.steps : p->steps - p->backup.every;
         return DEM_OK;
