@@ -136,11 +136,11 @@ static void split_add(const double *restrict from, int rows, double factor, doub
     }
 }
 
-void dem_body_batch_load_forces(struct dem_body_workspace *work, const struct dem_particles *p,
-                                size_t first, int rows)
+void dem_body_batch_load_forces(struct dem_body_workspace *work,
+                                const struct dem_particles *particles, size_t first, int rows)
 {
-    const double *const force = dem_column(p, DEM_COLUMN_FORCE) + 3*first,
-                 *const torque = dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+    const double *const force = dem_column(particles, DEM_COLUMN_FORCE) + 3*first,
+                 *const torque = dem_column(particles, DEM_COLUMN_TORQUE) + 3*first;
 
     for (int c = 0; c < rows; c++)
     {
@@ -166,22 +166,22 @@ static void gather_forces(struct dem_body_workspace *restrict work, int rows)
     }
 }
 
-void dem_body_batch_gather(struct dem_body_workspace *work, const struct dem_particles *p,
+void dem_body_batch_gather(struct dem_body_workspace *work, const struct dem_particles *particles,
                            size_t first, int rows, int spin)
 {
     struct dem_body_batch *const batch = &work->batch;
 
     batch->n = (rows + 7)/8*8;
-    gather_records(work, p->record + first, rows);
+    gather_records(work, particles->record + first, rows);
     if (spin)
     {
-        gather_spins(batch, p->record + first, rows);
+        gather_spins(batch, particles->record + first, rows);
     }
-    if (dem_column(p, DEM_COLUMN_OTHER_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_OTHER_IMPULSE))
     {
         memset(batch->rx, 0, 3*sizeof batch->rx);
     }
-    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE))
     {
         memset(batch->spin_drag, 0, 4*sizeof batch->spin_drag);
     }
@@ -189,21 +189,22 @@ void dem_body_batch_gather(struct dem_body_workspace *work, const struct dem_par
 }
 
 /* The fluid's velocity at a particle is the mean flow's plus the velocity of the eddy around it. */
-static void add_fluctuations(struct dem_body_batch *batch, const struct dem_particles *p,
+static void add_fluctuations(struct dem_body_batch *batch, const struct dem_particles *particles,
                              size_t first, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
         double u[3];
 
-        dem_eddies_velocity(p, first + (size_t)c, u);
+        dem_eddies_velocity(particles, first + (size_t)c, u);
         batch->ux[c] += u[0];
         batch->uy[c] += u[1];
         batch->uz[c] += u[2];
     }
 }
 
-void dem_body_batch_gather_fluid(struct dem_body_workspace *work, const struct dem_particles *p,
+void dem_body_batch_gather_fluid(struct dem_body_workspace *work,
+                                 const struct dem_particles *particles,
                                  size_t first, int rows, double over_window)
 {
     struct dem_body_batch *const batch = &work->batch;
@@ -211,7 +212,7 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *work, const struct d
 
     for (size_t k = 0; k < sizeof vectors/sizeof vectors[0]; k++)
     {
-        const double *const from = dem_column(p, vectors[k].column);
+        const double *const from = dem_column(particles, vectors[k].column);
         double *const to = column_at(batch, vectors[k].offset);
 
         if (from)
@@ -221,27 +222,27 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *work, const struct d
     }
     for (size_t k = 0; k < sizeof scalars/sizeof scalars[0]; k++)
     {
-        const double *const from = dem_column(p, scalars[k].column);
+        const double *const from = dem_column(particles, scalars[k].column);
 
         if (from)
         {
             memcpy(column_at(batch, scalars[k].offset), from + first, size);
         }
     }
-    for (int k = 0; k < p->batch.n; k++)
+    for (int k = 0; k < particles->batch.n; k++)
     {
-        memcpy(column_at(batch, p->batch.at[k].to->body),
-               p->column[p->batch.at[k].column].data + first, size);
+        memcpy(column_at(batch, particles->batch.at[k].to->body),
+               particles->column[particles->batch.at[k].column].data + first, size);
     }
-    if (dem_column(p, DEM_COLUMN_EDDY))
+    if (dem_column(particles, DEM_COLUMN_EDDY))
     {
-        add_fluctuations(batch, p, first, rows);
+        add_fluctuations(batch, particles, first, rows);
     }
-    split_add(dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window,
+    split_add(dem_column(particles, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window,
               batch->fx, batch->fy, batch->fz);
-    for (int k = 0; k < DEM_VOIDAGE_FACTORS && dem_column(p, voidage_columns[k]); k++)
+    for (int k = 0; k < DEM_VOIDAGE_FACTORS && dem_column(particles, voidage_columns[k]); k++)
     {
-        memcpy(batch->voidage_factor[k], dem_column(p, voidage_columns[k]) + first, size);
+        memcpy(batch->voidage_factor[k], dem_column(particles, voidage_columns[k]) + first, size);
     }
 }
 
@@ -290,14 +291,14 @@ static void apply_slip_factor(struct dem_body_workspace *restrict work,
 }
 
 void dem_body_batch_apply_slip_factor(struct dem_body_workspace *work,
-                                      const struct dem_particles *p, size_t first, int rows)
+                                      const struct dem_particles *particles, size_t first, int rows)
 {
-    apply_slip_factor(work, dem_column(p, DEM_COLUMN_SLIP_FACTOR) + first,
-                      dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*first, rows);
+    apply_slip_factor(work, dem_column(particles, DEM_COLUMN_SLIP_FACTOR) + first,
+                      dem_column(particles, DEM_COLUMN_START_VELOCITY) + 3*first, rows);
 }
 
 void dem_body_batch_limit_backward_drag(struct dem_body_workspace *work,
-                                        const struct dem_particles *p,
+                                        const struct dem_particles *particles,
                                         size_t first, int rows, double h)
 {
     struct dem_body_batch *const batch = &work->batch;
@@ -305,8 +306,8 @@ void dem_body_batch_limit_backward_drag(struct dem_body_workspace *work,
     for (int c = 0; c < rows; c++)
     {
         const double moves = batch->drag[c]*h*work->inverse_mass[c] < -1.0 ? 0.0 : 1.0;
-        const double turns =
-            batch->spin_drag[c]*h*p->record[first + (size_t)c].inverse_inertia < -1.0 ? 0.0 : 1.0;
+        const double over = particles->record[first + (size_t)c].inverse_inertia;
+        const double turns = batch->spin_drag[c]*h*over < -1.0 ? 0.0 : 1.0;
 
         work->particle_drag[c] *= moves;
         batch->drag[c] *= moves;
@@ -321,23 +322,23 @@ void dem_body_batch_limit_backward_drag(struct dem_body_workspace *work,
 }
 
 void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *work,
-                                          struct dem_particles *p, size_t first, int rows)
+                                          struct dem_particles *particles, size_t first, int rows)
 {
     for (int k = 0; k < DEM_VOIDAGE_FACTORS; k++)
     {
-        memcpy(dem_column(p, voidage_columns[k]) + first, work->batch.voidage_factor[k],
+        memcpy(dem_column(particles, voidage_columns[k]) + first, work->batch.voidage_factor[k],
                (size_t)rows*sizeof(double));
     }
 }
 
-void dem_body_batch_store_added_mass(const struct dem_body_workspace *work, struct dem_particles *p,
-                                     size_t first, int rows)
+void dem_body_batch_store_added_mass(const struct dem_body_workspace *work,
+                                     struct dem_particles *particles, size_t first, int rows)
 {
-    double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS) + first;
+    double *const added = dem_column(particles, DEM_COLUMN_ADDED_MASS) + first;
 
     for (int c = 0; c < rows; c++)
     {
-        struct dem_particle *const r = &p->record[first + (size_t)c];
+        struct dem_particle *const r = &particles->record[first + (size_t)c];
 
         added[c] = work->batch.added_mass[c];
         r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(r->mass + added[c]) : 0.0;
@@ -363,15 +364,15 @@ void dem_body_batch_add_reacting_forces(struct dem_body_workspace *work)
 }
 
 /* Of every change of velocity dv the added mass a takes the impulse a dv. */
-void dem_body_batch_sum_reactions(const struct dem_body_workspace *work, struct dem_particles *p,
-                                  size_t first, int rows, double h)
+void dem_body_batch_sum_reactions(const struct dem_body_workspace *work,
+                                  struct dem_particles *particles, size_t first, int rows, double h)
 {
     const struct dem_body_batch *const batch = &work->batch;
-    double *const impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) + 3*first;
+    double *const impulse = dem_column(particles, DEM_COLUMN_OTHER_IMPULSE) + 3*first;
 
     for (int c = 0; c < rows; c++)
     {
-        const double *const before = p->record[first + (size_t)c].v;
+        const double *const before = particles->record[first + (size_t)c].v;
 
         impulse[3*c] += h*batch->rx[c] - batch->added_mass[c]*(batch->vx[c] - before[0]);
         impulse[3*c + 1] += h*batch->ry[c] - batch->added_mass[c]*(batch->vy[c] - before[1]);
@@ -381,7 +382,8 @@ void dem_body_batch_sum_reactions(const struct dem_body_workspace *work, struct 
 
 /* Like the kick with drag: I dw/dt = M + t o - t w with the contact torque M and the rotational
    drag t constant over h. */
-void dem_body_batch_kick_spins(struct dem_body_workspace *work, const struct dem_particles *p,
+void dem_body_batch_kick_spins(struct dem_body_workspace *work,
+                               const struct dem_particles *particles,
                                size_t first, int rows, double h)
 {
     struct dem_body_batch *const batch = &work->batch;
@@ -390,7 +392,7 @@ void dem_body_batch_kick_spins(struct dem_body_workspace *work, const struct dem
 
     for (int c = 0; c < rows; c++)
     {
-        const double over = p->record[first + (size_t)c].inverse_inertia;
+        const double over = particles->record[first + (size_t)c].inverse_inertia;
         const double z = batch->spin_drag[c]*h*over, phi = dem_phi(z), step = phi*h*over;
 
         for (int k = 0; k < 3; k++)
@@ -404,17 +406,17 @@ void dem_body_batch_kick_spins(struct dem_body_workspace *work, const struct dem
     }
 }
 
-void dem_body_batch_scatter_spins(const struct dem_body_workspace *work, struct dem_particles *p,
-                                  size_t first, int rows)
+void dem_body_batch_scatter_spins(const struct dem_body_workspace *work,
+                                  struct dem_particles *particles, size_t first, int rows)
 {
     const double *const spin[3] = {work->batch.wx, work->batch.wy, work->batch.wz};
-    double *const impulse = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE) + 3*first;
+    double *const impulse = dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE) + 3*first;
 
     for (int c = 0; c < rows; c++)
     {
         for (int k = 0; k < 3; k++)
         {
-            p->record[first + (size_t)c].w[k] = spin[k][c];
+            particles->record[first + (size_t)c].w[k] = spin[k][c];
             impulse[3*c + k] += work->spin_impulse[k][c];
         }
     }
@@ -471,18 +473,18 @@ static void scatter_and_drift(const struct dem_body_workspace *restrict work,
     }
 }
 
-void dem_body_batch_scatter(const struct dem_body_workspace *work, struct dem_particles *p,
+void dem_body_batch_scatter(const struct dem_body_workspace *work, struct dem_particles *particles,
                             size_t first, int rows, double h)
 {
-    scatter_records(work, p->record + first, 0, rows, h);
+    scatter_records(work, particles->record + first, 0, rows, h);
 }
 
 void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *work,
-                                      struct dem_particles *p,
+                                      struct dem_particles *particles,
                                       size_t first, int rows, double h, const double round[4],
                                       struct dem_drift_speeds *speeds)
 {
-    struct dem_particle *const record = p->record + first;
+    struct dem_particle *const record = particles->record + first;
     const int whole = rows/4*4;
 
     scatter_and_drift(work, record, whole, h, round, speeds);
@@ -507,10 +509,10 @@ static void sum_drag(const struct dem_body_workspace *restrict work, int rows, d
     }
 }
 
-void dem_body_batch_sum_drag(const struct dem_body_workspace *work, struct dem_particles *p,
+void dem_body_batch_sum_drag(const struct dem_body_workspace *work, struct dem_particles *particles,
                              size_t first, int rows, double h)
 {
-    sum_drag(work, rows, h, dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first,
-             dem_column(p, DEM_COLUMN_DECAY_FACTOR) + first,
-             dem_column(p, DEM_COLUMN_DRAG_TIME) + first);
+    sum_drag(work, rows, h, dem_column(particles, DEM_COLUMN_DRAG_IMPULSE) + 3*first,
+             dem_column(particles, DEM_COLUMN_DECAY_FACTOR) + first,
+             dem_column(particles, DEM_COLUMN_DRAG_TIME) + first);
 }

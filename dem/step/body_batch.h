@@ -37,9 +37,9 @@ struct dem_body_workspace    /* a batch of particles and its working columns */
 };
 
 /* Particles in the batch that begins at `first`. */
-static inline int dem_body_batch_rows(const struct dem_particles *p, size_t first)
+static inline int dem_body_batch_rows(const struct dem_particles *particles, size_t first)
 {
-    return p->n - first < DEM_BATCH_ROWS ? (int)(p->n - first) : DEM_BATCH_ROWS;
+    return particles->n - first < DEM_BATCH_ROWS ? (int)(particles->n - first) : DEM_BATCH_ROWS;
 }
 
 /* Load the contact forces of the particles [first, first + rows) from their columns. They are loaded

@@ -10,51 +10,54 @@
 #include <math.h>
 
 /* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
-static int has_invalid_number(const struct dem_particles *p)
+static int has_invalid_number(const struct dem_particles *particles)
 {
-    const double *const force = dem_column(p, DEM_COLUMN_FORCE);
-    const double *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    const double *const force = dem_column(particles, DEM_COLUMN_FORCE);
+    const double *const torque = dem_column(particles, DEM_COLUMN_TORQUE);
     double sum = 0.0;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
         for (size_t k = 0; k < 3; k++)
         {
-            sum += 0.0*(p->record[i].x[k] + p->record[i].v[k] + p->record[i].w[k] +
+            sum += 0.0*(particles->record[i].x[k] + particles->record[i].v[k] +
+                        particles->record[i].w[k] +
                           force[3*i + k] + torque[3*i + k]);
         }
     }
     return isnan(sum);
 }
 
-int dem_step_backup_ahead(struct dem_state *p, int status, const struct dem_body_sweep *half_kick)
+int dem_step_backup_ahead(struct dem_state *state, int status,
+                          const struct dem_body_sweep *half_kick)
 {
-    struct dem_backup *const backup = &p->backup;
-    double invalid = has_invalid_number(&p->particles);
+    struct dem_backup *const backup = &state->backup;
+    double invalid = has_invalid_number(&state->particles);
 
-    DEM_TRY(dem_agree_max(p, status, &invalid, 1));
+    DEM_TRY(dem_agree_max(state, status, &invalid, 1));
     if (invalid > 0.0)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_backup_save(backup, &p->particles, &p->contacts, p->pairs.wall_facet));
-    dem_flows_backup(p->flows);
-    backup->time = p->time;
-    backup->steps = p->steps;
+    DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
+    dem_flows_backup(state->flows);
+    backup->time = state->time;
+    backup->steps = state->steps;
     if (half_kick)
     {
-        dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies, half_kick);
-        dem_domain_constrain(&p->domain, &backup->particles);
+        dem_sweep_bodies(&backup->particles, &state->interaction_table.bodies, half_kick);
+        dem_domain_constrain(&state->domain, &backup->particles);
     }
     return DEM_OK;
 }
 
-int dem_step_backup(struct dem_state *p)
+int dem_step_backup(struct dem_state *state)
 {
-    if (p->window.half_step_ahead)
+    if (state->window.half_step_ahead)
     {
-        p->backup.steps = p->backup.valid ? p->backup.steps : p->steps - p->backup.every;
+        state->backup.steps = state->backup.valid ? state->backup.steps
+                                                  : state->steps - state->backup.every;
         return DEM_OK;
     }
-    return dem_step_backup_ahead(p, DEM_OK, NULL);
+    return dem_step_backup_ahead(state, DEM_OK, NULL);
 }

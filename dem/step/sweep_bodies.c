@@ -75,29 +75,29 @@ static void kick_without_drag(struct dem_body_workspace *restrict work, double h
 }
 
 /* The kick with drag, and the impulses that are passed to the fluid. */
-static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles *p, size_t first,
-                          int rows, double h)
+static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles *particles,
+                          size_t first, int rows, double h)
 {
-    const int reacts = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) != NULL;
+    const int reacts = dem_column(particles, DEM_COLUMN_OTHER_IMPULSE) != NULL;
 
     if (reacts)
     {
         dem_body_batch_add_reacting_forces(work);
     }
-    dem_body_batch_apply_slip_factor(work, p, first, rows);
+    dem_body_batch_apply_slip_factor(work, particles, first, rows);
     if (h < 0.0)
     {
-        dem_body_batch_limit_backward_drag(work, p, first, rows, h);
+        dem_body_batch_limit_backward_drag(work, particles, first, rows, h);
     }
     kick_with_drag(work, h);
-    dem_body_batch_sum_drag(work, p, first, rows, h);
+    dem_body_batch_sum_drag(work, particles, first, rows, h);
     if (reacts)
     {
-        dem_body_batch_sum_reactions(work, p, first, rows, h);
+        dem_body_batch_sum_reactions(work, particles, first, rows, h);
     }
-    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE))
     {
-        dem_body_batch_kick_spins(work, p, first, rows, h);
+        dem_body_batch_kick_spins(work, particles, first, rows, h);
     }
 }
 
@@ -214,22 +214,24 @@ static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int row
 __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, size_t first,
                                                   int rows)
 {
-    struct dem_particles *const p = pass->particles;
+    struct dem_particles *const particles = pass->particles;
     struct dem_body_workspace *const work = &pass->workspace;
     const struct dem_body_sweep *const s = pass->sweep;
-    const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
+    const int fluid = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) != NULL;
     struct applied applied;
 
     forces_of_contacts(pass, first, rows);
-    dem_body_batch_gather(work, p, first, rows, (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
+    dem_body_batch_gather(work, particles, first, rows,
+                          (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
     if (fluid)
     {
-        dem_body_batch_gather_fluid(work, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
+        dem_body_batch_gather_fluid(work, particles, first, rows,
+                                    s->window > 0.0 ? 1.0/s->window : 0.0);
     }
     apply_effects(work, pass->bodies, s->energy_balance, pass->scalars);
     if (s->applied)
     {
-        add_applied(&applied, &work->batch, s, p->record + first, rows);
+        add_applied(&applied, &work->batch, s, particles->record + first, rows);
     }
     if (fluid && pass->bodies->whole_drag)
     {
@@ -237,7 +239,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     }
     if (fluid)
     {
-        kick_in_fluid(work, p, first, rows, s->kick);
+        kick_in_fluid(work, particles, first, rows, s->kick);
     }
     else
     {
@@ -257,23 +259,24 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
             .h = s->kick,
             .window = s->window};
 
-        dem_energy_balance_after_kick(s->energy_balance, p, &k);
+        dem_energy_balance_after_kick(s->energy_balance, particles, &k);
     }
     if (pass->unobserved && s->round)
     {
-        dem_body_batch_scatter_and_drift(work, p, first, rows, s->kick, s->round, &pass->speeds);
+        dem_body_batch_scatter_and_drift(work, particles, first, rows, s->kick, s->round,
+                                         &pass->speeds);
     }
     else
     {
-        dem_body_batch_scatter(work, p, first, rows, s->kick);
+        dem_body_batch_scatter(work, particles, first, rows, s->kick);
     }
-    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE))
     {
-        dem_body_batch_scatter_spins(work, p, first, rows);
+        dem_body_batch_scatter_spins(work, particles, first, rows);
     }
     if (s->applied)
     {
-        finish_applied(&applied, s, p->record + first, rows);
+        finish_applied(&applied, s, particles->record + first, rows);
     }
 }
 
@@ -295,13 +298,13 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
     }
 }
 
-void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
+void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *particles,
                       const struct dem_effect_list *bodies, const struct dem_body_sweep *s)
 {
     pass->work = !s->contacts    ? DEM_BODIES_KICK
                  : s->sums_first ? DEM_BODIES_SUM
                                  : DEM_BODIES_SUM_AND_KICK;
-    pass->particles = p;
+    pass->particles = particles;
     pass->bodies = bodies;
     pass->sweep = s;
     pass->next = 0;
@@ -336,11 +339,11 @@ void dem_bodies_finish_sums(struct dem_body_pass *pass)
     }
 }
 
-void dem_sweep_bodies(struct dem_particles *p, const struct dem_effect_list *bodies,
+void dem_sweep_bodies(struct dem_particles *particles, const struct dem_effect_list *bodies,
                       const struct dem_body_sweep *s)
 {
     struct dem_body_pass pass;
 
-    dem_bodies_begin_pass(&pass, p, bodies, s);
-    dem_bodies_work_until(&pass, p->n);
+    dem_bodies_begin_pass(&pass, particles, bodies, s);
+    dem_bodies_work_until(&pass, particles->n);
 }
