@@ -324,8 +324,7 @@ static void body_effect(const struct dem_effect *e)
     scalar_columns_bodies(&many);
     dem_effect_apply_to_bodies(e, settings, &many);
     TAP_OK(bad_columns(many.added_mass, many.spin_drag_wz) == 0 &&
-           many.fx[DEM_BATCH_ROWS - 1] == 0.0 &&
-               many.drag[0] == 0.0,
+           many.fx[DEM_BATCH_ROWS - 1] == 0.0 && many.drag[0] == 0.0,
            "%s: rows of zeros", e->name);
     TAP_OK(many.rx[0] == 0.0 && many.spin_drag[DEM_BATCH_ROWS - 1] == 0.0 &&
            many.added_mass[0] == 0.0,
