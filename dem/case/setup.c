@@ -23,7 +23,7 @@
 #include "particles/orientation.h"
 #include "ranks/collect.h"
 #include "step/body_window.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
 #include <math.h>

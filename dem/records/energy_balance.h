@@ -4,7 +4,7 @@
  *
  *   total = kinetic + gravity + elastic + lost + broken - work of walls
  *           - work of other body forces + carried out - carried in
- *           + gain of heat content - what it comes from (energy_heat.c)
+ *           + gain of heat content - what it comes from (energy_work.c)
  *
  * The total is constant up to the error of the integrator; its change is the residual. Each term is
  * computed by a formula of its own; none is the difference of the others.
@@ -166,7 +166,7 @@ void dem_energy_balance_after_sweep(struct dem_state *, double dt);
 void dem_energy_balance_particle_out(struct dem_state *, const struct dem_particle *, double late);
 void dem_energy_balance_particle_in(struct dem_state *, const struct dem_particle *);
 
-/* ---- heat (energy_heat.c) --------------------------------------------------------------------- */
+/* ---- heat ------------------------------------------------------------------------------------ */
 
 /* The present content becomes the reference, and all other terms begin at 0. */
 void dem_energy_balance_begin_heat(struct dem_state *);
