@@ -3,9 +3,9 @@
  * steps around it. The function step() below is the table of phases:
  *
  * 1. Drift positions, rotate orientations, move walls.
- * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors (one
- *    all-reduce): in each step, or every few steps where time/maxSpeed bounds how far particles can
- *    have moved.
+ * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors
+ *    (one all-reduce): in each step, or every few steps where time/maxSpeed bounds how far particles
+ *    can have moved.
  * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
  * 4. Contact forces, batch by batch (sweep_contacts.c).
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
@@ -69,8 +69,8 @@ static double drift_particles(struct dem_state *state)
     return dem_drift_max_speed(&speeds);
 }
 
-/* 1. From here on p->time and p->steps refer to the end of the step. Returns the largest speed
-   of this rank [m/s]. */
+/* 1. From here on time and steps of the state refer to the end of the step. Returns the largest
+   speed of this rank [m/s]. */
 static double drift(struct dem_state *state, int last)
 {
     const double max_speed = drift_particles(state);
@@ -126,8 +126,8 @@ static int agree_now(struct dem_state *state, double max[DEM_UNAGREED_STEPS + 1]
     return DEM_OK;
 }
 
-/* 2. Ghost data leaves before the ranks agree, which hides its latency; when lists are rebuilt it was
-   not needed. */
+/* 2. Ghost data leaves before the ranks agree, which hides its latency; when lists are rebuilt it
+   was not needed. */
 static void send_ghosts(struct dem_state *state)
 {
     if (!state->stale)
@@ -267,8 +267,8 @@ static int sample_averages(struct dem_state *state, int status)
 
 /* ---- the step -------------------------------------------------------------------------------- */
 
-/* The step from `since` [s] to p->time; the last one of a window ends with half a kick. An error of
-   this rank after the agreement, or in a step without one, is kept for the next one, so that all
+/* The step from `since` [s] to state->time; the last one of a window ends with half a kick. An error
+   of this rank after the agreement, or in a step without one, is kept for the next one, so that all
    ranks stop together. */
 static int step(struct dem_state *state, double since, int last, int *status)
 {
