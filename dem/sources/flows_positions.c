@@ -15,7 +15,6 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "walls/wall_path.h"
-#include "ranks/collect.h"
 #include "ranks/dem_state.h"
 #include <math.h>
 #include <string.h>
