@@ -1,5 +1,6 @@
 /*
- * contact_loop.h -- template: the loop of a contact law over a batch. Include it once for each loop:
+ * contact_loop.h -- template: the loop of a contact law over a batch. Include it once for each
+ * loop:
  *
  *   #define LAW dem_hertz
  *   #define SETS DEM_SETS_KN | DEM_SETS_FN

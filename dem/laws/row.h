@@ -2,9 +2,9 @@
  * row.h -- one row of the contact batch in registers.
  *
  * The arithmetic of a contact law is written once, on one row: dem_<law>_row(settings, row,
- * history). The template laws/contact_loop.h makes the law's own loop of it; laws/fused puts the rows
- * of several laws into one loop. Columns that a law does not read cost nothing: the compiler drops
- * the loads.
+ * history). The template laws/contact_loop.h makes the law's own loop of it; laws/fused puts the
+ * rows of several laws into one loop. Columns that a law does not read cost nothing: the compiler
+ * drops the loads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -97,7 +97,7 @@ DEM_MATH void dem_history_clear_apart(const struct dem_contact_row *r, int colum
 #undef DEM_HISTORY_CLEAR
 }
 
-/* ---- loops ------------------------------------------------------------------------------------- */
+/* ---- loops ----------------------------------------------------------------------------------- */
 
 /* the rows of a batch do not depend on each other, and history columns do not overlap it */
 #if defined(__clang__)

@@ -76,7 +76,7 @@ struct dem_window
     int stopped;
 };
 
-/* the drift of the next step, made within the last one where nothing needed the state between them */
+/* the drift of the next step, made within the last one where nothing needed the state between */
 struct dem_next_drift
 {
     int done;

@@ -45,8 +45,9 @@ static int begin_effect(struct dem_contact_workspace *t, const struct dem_contac
     return find_history(c, entry, row, history);
 }
 
-void dem_contact_effects_replace_contacts(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                          const struct dem_contacts *c, uint32_t row)
+void dem_contact_effects_replace_contacts(struct dem_contact_workspace *t,
+                                          const struct dem_effect_list *effects,
+                                          const struct dem_contacts *c, uint32_t row)
 {
     double *history[DEM_HISTORY_COLUMNS];
 
@@ -131,8 +132,9 @@ static int apply_fused(struct dem_contact_workspace *t, const struct dem_effect_
     return k;
 }
 
-void dem_contact_effects_apply(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                          const struct dem_contacts *c, uint32_t row)
+void dem_contact_effects_apply(struct dem_contact_workspace *t,
+                               const struct dem_effect_list *effects,
+                               const struct dem_contacts *c, uint32_t row)
 {
     double *history[DEM_HISTORY_COLUMNS];
     int first = 0;
@@ -167,7 +169,8 @@ static void add_dissipated(struct dem_contact_batch *b, const double *lost)
 }
 
 void dem_contact_effects_apply_with_energy(struct dem_state *state, struct dem_contact_workspace *t,
-                                      const struct dem_effect_list *effects, uint32_t row, int rows)
+                                           const struct dem_effect_list *effects, uint32_t row,
+                                           int rows)
 {
     double *history[DEM_HISTORY_COLUMNS];
     struct dem_energy_balance_rows r = {.list = effects,

@@ -20,8 +20,9 @@ int dem_limits_check_status(const struct dem_state *);
 
 /* After a drift, with the largest speed of this rank [m/s]: DEM_ERROR_NUMBER when a particle or a
    wall has moved too far. A particle that moves by more than its radius in one step may pass
-   another, or triangles, unseen, and so may triangles that move towards it; the limit is the smallest
-   radius of the materials with contact effects. Speeds above time/maxSpeed and above the speed of light are errors, too. */
+   another, or triangles, unseen, and so may triangles that move towards it; the limit is the
+   smallest radius of the materials with contact effects. Speeds above time/maxSpeed and above the
+   speed of light are errors, too. */
 int dem_limits_check_displacements(const struct dem_state *, double max_speed);
 
 #endif

@@ -4,8 +4,8 @@
  *
  * 1. Drift positions, rotate orientations, move walls.
  * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors
- *    (one all-reduce): in each step, or every few steps where time/maxSpeed bounds how far particles
- *    can have moved.
+ *    (one all-reduce): in each step, or every few steps where time/maxSpeed bounds how far
+ *    particles can have moved.
  * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
  * 4. Contact forces, batch by batch (sweep_contacts.c).
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
@@ -267,8 +267,8 @@ static int sample_averages(struct dem_state *state, int status)
 
 /* ---- the step -------------------------------------------------------------------------------- */
 
-/* The step from `since` [s] to state->time; the last one of a window ends with half a kick. An error
-   of this rank after the agreement, or in a step without one, is kept for the next one, so that all
+/* The step from `since` [s] to state->time; the last one of a window ends with half a kick. An
+   error of this rank after the agreement, or in a step without one, is kept for the next one, so that all
    ranks stop together. */
 static int step(struct dem_state *state, double since, int last, int *status)
 {

@@ -28,7 +28,7 @@ static struct dem_dict *read_good(const char *text)
     return d;
 }
 
-/* The first dictionaries of the list d/name, at most `limit`, which are marked as read; their number. */
+/* The first dictionaries of the list d/name, at most `limit`; their number. Marks it as read. */
 static size_t items(const struct dem_dict *d, const char *name, const struct dem_dict **item,
                     size_t limit)
 {

@@ -1,5 +1,6 @@
 /*
- * fused_adhesive.c -- the fused kernels with an adhesive film, whose force counts in the friction limit.
+ * fused_adhesive.c -- the fused kernels with an adhesive film, whose force counts in the friction
+ * limit.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

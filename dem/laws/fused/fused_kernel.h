@@ -1,8 +1,8 @@
 /*
  * fused_kernel.h -- what the template fused_loop.h and the tables of kernels need.
  *
- * To add a kernel, include the template with its laws and add a row to the table, as in fused_hertz.c;
- * its laws need a header with the row function (laws/row.h).
+ * To add a kernel, include the template with its laws and add a row to the table, as in
+ * fused_hertz.c; its laws need a header with the row function (laws/row.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

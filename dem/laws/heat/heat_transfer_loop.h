@@ -1,6 +1,6 @@
 /*
- * heat_transfer_loop.h -- template: the loop of a law of heat transfer over a batch, from its formula.
- * A law defines
+ * heat_transfer_loop.h -- template: the loop of a law of heat transfer over a batch, from its
+ * formula. A law defines
  *
  *   DEM_MATH double nusselt(const struct dem_drag_row *r, double prandtl_root)
  *
