@@ -1,0 +1,47 @@
+"""Heat of fluid and particles, for several tests: what the log says of it, and particles that fly through each other.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+
+__all__ = ["crossing", "drift", "heat", "temperatures"]
+
+
+def heat(case, command="demPimpleFoam"):
+    """Heat of the fluid, of the particles, owed, their sum, and received, one entry a step [J]."""
+    return case.numbers(r"^Suna: heat fluid (\S+) particles (\S+) owed (\S+) sum (\S+) received (\S+) J$", command).T
+
+
+def drift(case):
+    """The largest change of the sum less the received heat in a run of ten steps or more, over the first one."""
+    *_, total, received = heat(case)
+    kept = total - received
+    if kept.size < 10:
+        raise ValueError(f"{kept.size} steps are too few")
+    return largest(kept/kept[0] - 1)
+
+
+def temperatures(case, time):
+    """All temperatures of fluid and particles."""
+    return np.append(case.field(f"{time}/T"), case.field(f"{time}/lagrangian/particles/temperature"))
+
+
+def crossing(case, up, down, more=""):
+    """Make the case of heat/ a box of 12 mm with two beds that fly through each other; `up` and `down` are their
+    diameters, counts and temperatures."""
+    case.sub("system/blockMeshDict", r"0\.008", "0.012")
+    case.sub("system/blockMeshDict", r"\(2 2 2\)", "(6 6 6)")
+    case.edit("system/controlDict", endTime=0.02, deltaT=0.001)
+    case.sub("system/fvSchemes", r"div\(alphaPhi,U\)", "div(alphaPhi,T) Gauss upwind; div(alphaPhi,U)")
+    case.sub("constant/demProperties", "ranzMarshall", "dry { restitution 0.9; } gunn")
+    case.sub("constant/demProperties", r"^insert(.|\n)*", f"""{more}
+insert
+{{
+    up   {{ type lattice; {up} spacing 1.4; jitter 0.9; seed 3; velocity (0.5 0 1);
+           min (0 0 0); max (0.012 0.012 0.006); }}
+    down {{ type lattice; {down} spacing 1.4; jitter 0.9; seed 4; velocity (0 -1 0);
+           min (0 0 0.006); max (0.012 0.012 0.012); }}
+}}
+coupling {{ rho 1.25; }}
+""")
+    case.run("blockMesh")
