@@ -37,9 +37,9 @@ from pathlib import Path
 
 import numpy as np
 
-__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "close", "difference", "finish", "head",
-           "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash", "subprocess",
-           "sys", "thorough", "time", "until", "work", "worst"]
+__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_tables", "close", "difference",
+           "finish", "head", "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash",
+           "subprocess", "sys", "thorough", "time", "until", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
 coupled = Path(__file__).resolve().parent
@@ -86,6 +86,18 @@ def claim_ran(what, case, command="demPimpleFoam"):
     """The last run of this command in the case has ended with the line End; else show the end of its log."""
     log = case.log(command)
     claim(what, re.search("^End", log, re.M), *log.splitlines()[-25:])
+
+
+def claim_tables(what, folder, *names):
+    """These tables are CSV that any reader takes without options: Python's, and pandas where it is installed."""
+    check = [coupled.parent/"csv_tables.py", *(folder/f"{name}.csv" for name in names)]
+    claim(f"{what}, plain CSV", subprocess.run([sys.executable, *check]).returncode == 0)
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import pandas"], stderr=subprocess.DEVNULL).returncode == 0:
+            claim(f"{what}, as pandas.read_csv(FILE) takes them",
+                  subprocess.run([python, check[0], "-pandas", *check[1:]]).returncode == 0)
+            return
+    skip(f"{what}, as pandas.read_csv(FILE) takes them", "no Python here has pandas (Debian: python3-pandas)")
 
 
 def finish():
