@@ -1,10 +1,11 @@
-"""Heat of fluid and particles, for several tests: what the log says of it, and particles that fly through each other.
+"""Heat of fluid and particles, for several tests: what the log says of it, and two cases.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from case import *
+from solvers.box import prepare
 
-__all__ = ["crossing", "drift", "heat", "temperatures"]
+__all__ = ["crossing", "drift", "gained", "heat", "hot", "temperatures"]
 
 
 def heat(case, command="demPimpleFoam"):
@@ -45,3 +46,35 @@ insert
 coupling {{ rho 1.25; }}
 """)
     case.run("blockMesh")
+
+
+def hot(solver, name=None):
+    """100 hot spheres in the box of ../solvers for buoyantPimpleFoam (enthalpy) or rhoPimpleFoam (internal energy), with
+    no work of the pressure in their energy."""
+    case = prepare(solver, """insert { hot { type random; count 100; seed 7; diameter 1e-3; temperature 400;
+                                  min (0 0 0.01); max (0.02 0.02 0.03); } }
+""", name)
+    case.sub("constant/demProperties", "density 3000;", "density 3000; heatCapacity 50;")
+    case.sub("constant/demProperties", "wenYu {}", "wenYu {} ranzMarshall {}")
+    case.sub("system/fvSolution", r"\(U\|h\)", "(U|h|e)")
+    case.edit("system/controlDict", endTime=0.02, writeInterval=0.02)
+    case.append("constant/thermophysicalProperties", "dpdt no;\n")
+    if solver == "rhoPimpleFoam":
+        case.remove("constant/g", "0/p_rgh")
+        case.sub("constant/thermophysicalProperties", "heRhoThermo", "hePsiThermo")
+        case.sub("constant/thermophysicalProperties", "sensibleEnthalpy", "sensibleInternalEnergy")
+        case.sub("0/p", r"\[0 2 -2", "[1 -1 -2")
+        case.sub("0/p", "uniform 0", "uniform 1e5")
+        case.sub("system/fvSolution", "pRefValue [^;]*", "pRefValue 1e5")
+    return case
+
+
+def gained(case, solver):
+    """Heat that the fluid has gained, that the particles have lost with the heat owed to them, and that was received,
+    from the first to the last of ten steps or more [J]; the heat of the particles at the end over their first one."""
+    fluid, particles, owed, _, received = heat(case, solver)
+    particles = particles + owed
+    if fluid.size < 10:
+        raise ValueError(f"{fluid.size} steps are too few")
+    return (fluid[-1] - fluid[0], particles[0] - particles[-1], received[-1] - received[0],
+            particles[-1]/particles[0])
