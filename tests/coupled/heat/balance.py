@@ -49,8 +49,8 @@ coupling {{ rho 1.25; }}
 
 
 def hot(solver, name=None):
-    """100 hot spheres in the box of ../solvers for buoyantPimpleFoam (enthalpy) or rhoPimpleFoam (internal energy), with
-    no work of the pressure in their energy."""
+    """100 hot spheres in the box of ../solvers for buoyantPimpleFoam (enthalpy) or rhoPimpleFoam (internal energy),
+    with no work of the pressure in their energy."""
     case = prepare(solver, """insert { hot { type random; count 100; seed 7; diameter 1e-3; temperature 400;
                                   min (0 0 0.01); max (0.02 0.02 0.03); } }
 """, name)

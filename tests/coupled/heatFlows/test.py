@@ -147,7 +147,8 @@ case.copy("heatFlows/0.orig/T", "0/T")
 for name, old, new in (
         ("0/T", "inlet {.*", "floor { type fixedValue; value uniform 400; }"), ("0/T", "outlet {", "top {"),
         ("0/T", "walls {.*", "sides { type zeroGradient; }"),
-        (scene, "youngsModulus 1e6;", "youngsModulus 1e6; heatCapacity 20;"), (scene, "gidaspow {}", "gidaspow {} gunn {}"),
+        (scene, "youngsModulus 1e6;", "youngsModulus 1e6; heatCapacity 20;"),
+        (scene, "gidaspow {}", "gidaspow {} gunn {}"),
         (scene, "rho 1;", "rho 1.25;"), (scene, "interval 0.005;", "interval 0.001; budget yes;"),
         ("system/fvSolution", r'"U\.\*"', '"(U|T).*"'),
         ("system/fvSolution", "1e-12; relTol 0; }$", "1e-16; relTol 0; maxIter 100; }"),

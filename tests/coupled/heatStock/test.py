@@ -67,7 +67,7 @@ functions { heat { type volFieldValue; libs ("libfieldFunctionObjects.so"); writ
 """)
 case.append("constant/thermophysicalProperties", "dpdt no;\n")
 case.write("system/topoSetDict", head("dictionary", "topoSetDict")
-           + "actions ( { name half; type cellZoneSet; action new; source boxToCell; box (-1 -1 0.01) (1 1 0.03); } );\n")
+           + "actions ({ name half; type cellZoneSet; action new; source boxToCell; box (-1 -1 0.01) (1 1 0.03); });\n")
 case.write("constant/fvOptions", head("dictionary", "fvOptions") + """
 hot { type scalarSemiImplicitSource; selectionMode cellZone; cellZone half; volumeMode absolute;
       injectionRateSuSp { h (50 0); } }
