@@ -170,13 +170,13 @@ class Case:
                         + ");\nmergePatchPairs ();")
         return self.run("blockMesh")
 
-    def box(self, size, cells, patches, grading=(1, 1, 1)):
+    def box(self, size, cells, patches, grading="1 1 1"):
         """Make a mesh of a box from the origin, with patches {name: ("wall", "x- y+")} of these sides."""
         sides = {"x-": "(0 4 7 3)", "x+": "(1 2 6 5)", "y-": "(0 1 5 4)", "y+": "(3 7 6 2)",
                  "z-": "(0 3 2 1)", "z+": "(4 5 6 7)"}
         x, y, z = size
         return self.mesh([(a, b, c) for c in (0, z) for a, b in ((0, 0), (x, 0), (x, y), (0, y))],
-                         [f"(0 1 2 3 4 5 6 7) {vector(cells)} simpleGrading {vector(grading)}"],
+                         [f"(0 1 2 3 4 5 6 7) {vector(cells)} simpleGrading ({grading})"],
                          {name: f"type {kind}; faces ({' '.join(sides[side] for side in faces.split())});"
                           for name, (kind, faces) in patches.items()})
 

@@ -22,8 +22,8 @@ class Groups(Case):
         self.edit("constant/transportProperties", nu=ratio*5500*6.4e-7/(18*1e-3))
         self.run("blockMesh")
         self.run("demPimpleFoam")
-        self.fluid, self.particles, self.sum = (self.vectors(word, "momentum") for word in ("fluid", "particles", "sum"))
-        self.start = np.linalg.norm(self.particles[0])
+        self.fluid, self.sum = self.vectors("fluid", "momentum"), self.vectors("sum", "momentum")
+        self.start = np.linalg.norm(self.vectors("particles", "momentum")[0])
 
     def keeps_momentum(self):
         """The sum changes by less than 1e-10 of the particles' first momentum in 40 steps."""

@@ -21,7 +21,8 @@ case.write("constant/triSurface/plate.stl", PLATE)
 case.properties("glass { density 2500; youngsModulus 1e6; } steel { density 7800; youngsModulus 1e7; }",
                 """gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; }
     mindlin { friction 0.3; }""",
-                "grains { type list; material glass; diameter 1e-3; positions ((0.006 0.01 0.0005) (0.014 0.01 0.0125)); }",
+                """grains { type list; material glass; diameter 1e-3;
+    positions ((0.006 0.01 0.0005) (0.014 0.01 0.0125)); }""",
                 "rho 1; twoWay no; record { interval 0.005; energy yes; }", """walls
 {
     walls { material steel; surfaceVelocity (0.05 0 0); }
