@@ -32,7 +32,7 @@ def apart(a, b):
 
 def spheres_apart(case, a, b):
     """The same of the velocities of ten spheres or more at two times."""
-    a, b = (case.particles(time, "U") for time in (a, b))
+    a, b = (case.particles(time, "U")[:, 1:] for time in (a, b))
     if len(a) < 10:
         raise ValueError(f"{len(a)} spheres are too few")
     return apart(a, b)
@@ -51,4 +51,4 @@ def speed(t, rho, mu, d=1e-4, density=3000):
 
 def fallen(case, time, sphere=0):
     """The downward speed of this sphere."""
-    return -case.particles(time, "U")[sphere, 2]
+    return -case.particles(time, "U")[sphere, 3]
