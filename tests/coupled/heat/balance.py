@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from case import *
 from solvers.box import prepare
 
-__all__ = ["crossing", "drift", "gained", "heat", "hot", "temperatures"]
+__all__ = ["capacities", "crossing", "drift", "gained", "heat", "hot", "relaxation", "temperatures"]
 
 
 def heat(case, command="demPimpleFoam"):
@@ -20,6 +20,22 @@ def drift(case):
     if kept.size < 10:
         raise ValueError(f"{kept.size} steps are too few")
     return largest(kept/kept[0] - 1)
+
+
+def capacities(V, n, c=20, cf=1000):
+    """Heat capacities [J/K] of n glass spheres of 1 mm and of the gas in a volume V, and the temperature of spheres of
+    300 K mixed with gas of 500 K."""
+    Cp, Cf = n*math.pi/6*1e-9*2500*c, (V - n*math.pi/6*1e-9)*1.25*cf
+    return Cp, Cf, (Cp*300 + Cf*500)/(Cp + Cf)
+
+
+def relaxation(case, V, n, Nu=2, t=0.04):
+    """Error of the difference of the temperatures of these two at time t, over the first one; the closed form is
+    exp(-t (B/C + N B/Cf)), with B = Nu pi d k."""
+    Cp, Cf, _ = capacities(V, n)
+    rate = n*Nu*math.pi*1e-3*0.025*(1/Cp + 1/Cf)
+    fluid, particles, owed, *_ = heat(case)[:, -1]
+    return abs((fluid/Cf - (particles + owed)/Cp)/200 - math.exp(-t*rate))
 
 
 def temperatures(case, time):

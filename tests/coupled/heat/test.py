@@ -16,22 +16,7 @@ from case import *
 from heat.balance import *
 
 control, scene, transport = "system/controlDict", "constant/demProperties", "constant/transportProperties"
-V, spheres = 8e-3**3, 64*math.pi/6*1e-9               # volumes of the box and of 64 spheres [m3]
-
-
-def capacities(c, cf):
-    """Heat capacities of particles and fluid [J/K], and their mixed temperature."""
-    Cp, Cf = 2500*spheres*c, 1.25*(V - spheres)*cf
-    return Cp, Cf, (Cp*300 + Cf*500)/(Cp + Cf)
-
-
-def relaxation(case, Nu=2):
-    """Error of the difference of fluid and particles at 0.04 s, over the first one; the closed form is
-    exp(-t (B/C + N B/Cf)), with B = Nu pi d k."""
-    Cp, Cf, _ = capacities(20, 1000)
-    rate = 64*Nu*math.pi*1e-3*0.025*(1/Cp + 1/Cf)
-    fluid, particles, owed, *_ = heat(case)[:, -1]
-    return abs((fluid/Cf - (particles + owed)/Cp)/200 - math.exp(-0.04*rate))
+box = 8e-3**3, 64                                     # its volume [m3], and number of spheres
 
 
 def mixes(what, case, c, cf):
@@ -40,7 +25,7 @@ def mixes(what, case, c, cf):
     case.sub(scene, "heatCapacity [^;]*", f"heatCapacity {c:.17g}")
     case.edit(transport, Cp=f"{cf:.17g}")
     case.run("demPimpleFoam")
-    mixed = capacities(c, cf)[2]
+    mixed = capacities(*box, c, cf)[2]
     T = temperatures(case, 0.2)
     claim(what, difference(T, np.full(T.size, mixed)) < 1e-9*mixed and drift(case) < 1e-12, mixed, T.min(), T.max())
 
@@ -61,18 +46,18 @@ case = Case("rest")
 case.run("blockMesh")
 case.run("demPimpleFoam")
 claim_ran("at rest: runs", case)
-coarse = relaxation(case)
+coarse = relaxation(case, *box)
 claim("at rest: two lumped capacities (0.5 %)", coarse < 0.005, coarse)
 claim("at rest: exchange closes", worst(case.log(), "heat exchange error") < 1e-13)
 claim("at rest: energy is kept", drift(case) < 1e-13)
 case.edit(control, deltaT=0.00025)
 case.run("demPimpleFoam")
-claim("at rest: half the step, half the error (10 %)", close(coarse/relaxation(case), 2, 0.1))
+claim("at rest: half the step, half the error (10 %)", close(coarse/relaxation(case, *box), 2, 0.1))
 
 # steps over a sphere's relaxation time, heat capacity of the particles over the fluid's
 for steps, ratio in ((0.1, 100), (1, 1), (10, 1000), (100, 100)) if thorough else ((0.1, 100), (100, 100)):
     c = 0.12/steps
-    Cp, Cf, _ = capacities(c, 1)
+    Cp, Cf, _ = capacities(*box, c, 1)
     mixes(f"at rest: steps of {steps} tau at {ratio} times the fluid's capacity end at the mixed temperature",
           case, c, Cp/Cf/ratio)
 
@@ -156,9 +141,9 @@ case = Case("parcels")
 case.sub(scene, "ranzMarshall", "gunn")
 case.run("blockMesh")
 case.run("demPimpleFoam")
-e = 1 - spheres/V
+e = 1 - 64*math.pi/6*1e-9/8e-3**3
 Nu = 7 - 10*e + 5*e*e
-claim("parcels: grains are two lumped capacities (0.5 %)", relaxation(case, Nu) < 0.005)
+claim("parcels: grains are two lumped capacities (0.5 %)", relaxation(case, *box, Nu) < 0.005)
 grains, gas = case.field(temperature), heat(case)[0, -1]
 case.sub(scene, "^effects", "parcels { ratio 2; }\neffects")
 case.sub(scene, "count 64", "count 8")
@@ -166,7 +151,7 @@ case.remove("0.0*")
 case.run("demPimpleFoam")
 parcels = case.field(temperature)
 claim_ran("parcels: runs", case)
-claim("parcels: so are parcels (0.5 %)", relaxation(case, Nu) < 0.005)
+claim("parcels: so are parcels (0.5 %)", relaxation(case, *box, Nu) < 0.005)
 claim("parcels: 8 for 64 grains", (grains.size, parcels.size) == (64, 8))
 claim("parcels: they have the temperature of grains", largest(np.append(grains, parcels)/parcels[0] - 1) < 1e-13)
 claim("parcels: their gas has the same heat as with grains", close(heat(case)[0, -1], gas, 1e-13))
