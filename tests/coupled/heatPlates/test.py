@@ -23,28 +23,17 @@ def field(case, name, dimensions, inside, plates, kind="volScalarField"):
         inside = f"nonuniform List<scalar> {4*n} (" + " ".join(f"{value:.17g}" for value in np.tile(inside, 4)) + ")"
     else:
         inside = f"uniform {inside}"
-    case.write(f"0/{name}", head(kind, name) + f"""dimensions [{dimensions}]; internalField {inside};
-boundaryField {{ "(y|z).*" {{ type cyclic; }} {plates} }}
-""")
+    case.dictionary(f"0/{name}", f"dimensions [{dimensions}]; internalField {inside};\n"
+                    f'boundaryField {{ "(y|z).*" {{ type cyclic; }} {plates} }}', kind)
 
 
 def plates(name, T, at_plates, insert, end, step):
     """The case of heat/ between plates."""
     case = Case(name, "heat")
-    case.sub("system/blockMeshDict", r"^vertices(.|\n)*", f"""vertices
-( (0 0 0) (0.016 0 0) (0.016 0.004 0) (0 0.004 0) (0 0 0.004) (0.016 0 0.004) (0.016 0.004 0.004) (0 0.004 0.004) );
-blocks ( hex (0 1 2 3 4 5 6 7) ({n} 2 2) simpleGrading (1 1 1) );
-boundary
-(
-    cold {{ type wall; faces ( (3 0 4 7) ); }}
-    warm {{ type wall; faces ( (1 2 6 5) ); }}
-    y0 {{ type cyclic; neighbourPatch y1; faces ( (0 1 5 4) ); }}
-    y1 {{ type cyclic; neighbourPatch y0; faces ( (2 3 7 6) ); }}
-    z0 {{ type cyclic; neighbourPatch z1; faces ( (0 3 2 1) ); }}
-    z1 {{ type cyclic; neighbourPatch z0; faces ( (4 5 6 7) ); }}
-);
-""")
-    case.run("blockMesh")
+    case.box((0.016, 0.004, 0.004), (n, 2, 2),
+             {"cold": ("wall", "x-"), "warm": ("wall", "x+"),
+              "y0": ("cyclic; neighbourPatch y1", "y-"), "y1": ("cyclic; neighbourPatch y0", "y+"),
+              "z0": ("cyclic; neighbourPatch z1", "z-"), "z1": ("cyclic; neighbourPatch z0", "z+")})
     field(case, "U", "0 1 -1 0 0 0 0", "(0 0 0)", '"(cold|warm)" { type noSlip; }', "volVectorField")
     field(case, "p", "0 2 -2 0 0 0 0", 0, '"(cold|warm)" { type fixedFluxPressure; }')
     field(case, "T", "0 0 0 1 0 0 0", T, at_plates)
@@ -79,8 +68,8 @@ def first_cell(nut, Prt):
 for name, simulation, nut, Prt, entry in (("laminar", "laminar", 0, 1, ""),
                                           ("turbulent", "RAS", 9e-5, 0.85, ""),       # Cmu k^2/epsilon = 0.09*1e-4/0.1
                                           ("turbulent, Prt", "RAS", 9e-5, 0.5, "Prt 0.5;")):
-    case.write("constant/turbulenceProperties", head("dictionary", "turbulenceProperties")
-               + f"simulationType {simulation}; RAS {{ RASModel kEpsilon; turbulence off; }}\n")
+    case.dictionary("constant/turbulenceProperties",
+                    f"simulationType {simulation}; RAS {{ RASModel kEpsilon; turbulence off; }}")
     case.append(transport, entry)
     case.run("demPimpleFoam")
     claim_ran(f"conduction, {name}: runs", case)

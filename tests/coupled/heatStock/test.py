@@ -47,8 +47,7 @@ unlisted = exchanges(case, "rhoPimpleFoam")
 # a case's own list of sources must contain the heat source
 case.sub("system/fvSolution", "nOuterCorrectors 1", "nOuterCorrectors 4")
 case.remove("0.0*")
-case.write("constant/fvOptions", head("dictionary", "fvOptions")
-           + 'particles { type demMomentumSource; libs ("libdemCoupling.so"); }\n')
+case.dictionary("constant/fvOptions", 'particles { type demMomentumSource; libs ("libdemCoupling.so"); }')
 refused("rhoPimpleFoam: fvOptions of the case without the source of heat are refused", case, "rhoPimpleFoam",
         "type demEnergySource;")
 case.append("constant/fvOptions", 'heat { type demEnergySource; libs ("libdemCoupling.so"); }\n')
@@ -66,9 +65,9 @@ functions { heat { type volFieldValue; libs ("libfieldFunctionObjects.so"); writ
     writePrecision 17; } }
 """)
 case.append("constant/thermophysicalProperties", "dpdt no;\n")
-case.write("system/topoSetDict", head("dictionary", "topoSetDict")
-           + "actions ({ name half; type cellZoneSet; action new; source boxToCell; box (-1 -1 0.01) (1 1 0.03); });\n")
-case.write("constant/fvOptions", head("dictionary", "fvOptions") + """
+case.dictionary("system/topoSetDict", """
+actions ( { name half; type cellZoneSet; action new; source boxToCell; box (-1 -1 0.01) (1 1 0.03); } );""")
+case.dictionary("constant/fvOptions", """
 hot { type scalarSemiImplicitSource; selectionMode cellZone; cellZone half; volumeMode absolute;
       injectionRateSuSp { h (50 0); } }
 """)

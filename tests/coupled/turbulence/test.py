@@ -23,7 +23,7 @@ rest, no_stress = (0, 0, 0), (0, 0, 0, 0, 0, 0)
 
 def entry(value):
     """A number, or the components of a vector or tensor, as OpenFOAM reads them."""
-    return "(" + " ".join(f"{x:.17g}" for x in value) + ")" if np.ndim(value) else f"{value:.17g}"
+    return vector(value) if np.ndim(value) else f"{value:.17g}"
 
 
 def fixed(value):
@@ -32,13 +32,12 @@ def fixed(value):
 
 def field(case, name, dimensions, inside, inlet=None, outlet=free, sides=free):
     """Write 0/NAME with a uniform value, or one for each layer of a box, for all meshes of this test."""
-    kind = {6: "SymmTensor", 3: "Vector"}.get(np.size(inside)//(40 if np.ndim(inside) == 2 else 1), "Scalar")
+    kind = {(): "Scalar", (3,): "Vector", (6,): "SymmTensor"}[np.shape(inside)[-1:]]
     if np.ndim(inside) == 2:
         values = f"nonuniform List<{kind[0].lower()}{kind[1:]}> 40 (" + " ".join(map(entry, inside)) + ")"
     else:
         values = f"uniform {entry(inside)}"
-    case.write(f"0/{name}", head(f"vol{kind}Field", name) + f"""
-dimensions [{dimensions}];
+    case.dictionary(f"0/{name}", f"""dimensions [{dimensions}];
 internalField {values};
 boundaryField
 {{
@@ -46,12 +45,11 @@ boundaryField
     sides {{ {sides} }}
     "(outlet|top)" {{ {outlet} }}
     "(west|east|south|north)" {{ type cyclic; }}
-}}
-""")
+}}""", f"vol{kind}Field")
 
 
 def eddies(case, k=None, epsilon=None, inlet=None):
-    """Write k, epsilon and nut, those that are given."""
+    """Write nut, and k and epsilon if they are given."""
     for name, dimensions, value in (("k", kinetic, k), ("epsilon", dissipation, epsilon)):
         if value is not None:
             field(case, name, dimensions, value, inlet)
@@ -65,8 +63,7 @@ def velocity(case, inside, inlet=slip, outlet=slip, sides=slip):
 def turbulence(case, kind, model="", coefficients="", more="turbulence on;"):
     """Write constant/turbulenceProperties; kind is laminar, RAS or LES."""
     of_kind = f"{kind} {{ {kind}Model {model}; {more} {model}Coeffs {{ {coefficients} }} }}" if model else ""
-    case.write("constant/turbulenceProperties",
-               head("dictionary", "turbulenceProperties") + f"simulationType {kind};\n{of_kind}\n")
+    case.dictionary("constant/turbulenceProperties", f"simulationType {kind};\n{of_kind}")
 
 
 def times(case, end, step=0.002):
@@ -174,25 +171,14 @@ def box(name, ends="wall"):
     """A box between z = 0 and 0.044, periodic in x and y, with a lattice of particles. A model sets the Reynolds stress
     of ends that are walls."""
     case = Case(name)
-    case.write("system/blockMeshDict", head("dictionary", "blockMeshDict") + f"""
-vertices ( (0 0 0) (0.0022 0 0) (0.0022 0.0022 0) (0 0.0022 0)
-           (0 0 0.044) (0.0022 0 0.044) (0.0022 0.0022 0.044) (0 0.0022 0.044) );
-blocks ( hex (0 1 2 3 4 5 6 7) (1 1 40) simpleGrading (1 1 1) );
-boundary
-(
-    inlet {{ type {ends}; faces ( (0 3 2 1) ); }}
-    outlet {{ type {ends}; faces ( (4 5 6 7) ); }}
-    west {{ type cyclic; neighbourPatch east; faces ( (0 4 7 3) ); }}
-    east {{ type cyclic; neighbourPatch west; faces ( (1 2 6 5) ); }}
-    south {{ type cyclic; neighbourPatch north; faces ( (0 1 5 4) ); }}
-    north {{ type cyclic; neighbourPatch south; faces ( (3 7 6 2) ); }}
-);
-""")
+    case.box((0.0022, 0.0022, 0.044), (1, 1, 40),
+             {"inlet": (ends, "z-"), "outlet": (ends, "z+"),
+              "west": ("cyclic; neighbourPatch east", "x-"), "east": ("cyclic; neighbourPatch west", "x+"),
+              "south": ("cyclic; neighbourPatch north", "y-"), "north": ("cyclic; neighbourPatch south", "y+")})
     case.sub(scene, r"count 256(.|\n)*?max \(.*?\)",
              "count 160; spacing 1.1; jitter 0; frozen yes; min (0 0 0); max (0.0022 0.0022 0.044)")
     case.sub(scene, " gidaspow {}", "")
     field(case, "p", kinetic, 0, "type fixedFluxPressure;", "type fixedFluxPressure;")
-    case.run("blockMesh")
     return case
 
 
@@ -276,24 +262,12 @@ claim("Smagorinsky: viscosity in uniform shear (1e-6)",
 def disperses(solver, two_way):
     """Run them for 0.8 s in a box of 8 m."""
     case = Case(f"dispersion-{solver}-{two_way}")
-    case.write("system/blockMeshDict", head("dictionary", "blockMeshDict") + """
-vertices ( (0 0 0) (8 0 0) (8 8 0) (0 8 0) (0 0 8) (8 0 8) (8 8 8) (0 8 8) );
-blocks ( hex (0 1 2 3 4 5 6 7) (4 4 4) simpleGrading (1 1 1) );
-boundary
-(
-    inlet { type patch; faces ( (0 3 2 1) ); }
-    sides { type patch; faces ( (0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7) ); }
-    outlet { type patch; faces ( (4 5 6 7) ); }
-);
-""")
-    case.write(scene, head("dictionary", "demProperties") + f"""
-materials {{ bead {{ density 1000; youngsModulus 1e6; }} }}
-effects {{ stokesDrag {{}} pressureGradient {{}} turbulentDispersion {{ crossing no; }} }}
-insert {{ beads {{ type lattice; material bead; diameter 1e-3; count 343; spacing 300; jitter 0;
-                 min (3 3 3); max (5.1 5.1 5.1); }} }}
-time {{ step 5e-3; }}
-coupling {{ rho 1; twoWay {two_way}; }}
-""")
+    case.box((8, 8, 8), (4, 4, 4),
+             {"inlet": ("patch", "z-"), "sides": ("patch", "y- x+ y+ x-"), "outlet": ("patch", "z+")})
+    case.properties("bead { density 1000; youngsModulus 1e6; }",
+                    "stokesDrag {} pressureGradient {} turbulentDispersion { crossing no; }",
+                    "beads { type lattice; material bead; diameter 1e-3; count 343; spacing 300; jitter 0; "
+                    "min (3 3 3); max (5.1 5.1 5.1); }", f"rho 1; twoWay {two_way};", "time { step 5e-3; }")
     case.edit("constant/transportProperties", nu=5.55556e-4)
     velocity(case, rest)
     field(case, "p", kinetic, 0, free, fixed(0))
@@ -302,7 +276,6 @@ coupling {{ rho 1; twoWay {two_way}; }}
     case.edit(control, deltaT=0.02, endTime=0.8, writeInterval=0.4)
     if solver != "demPimpleFoam":
         case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
-    case.run("blockMesh")
     case.run(solver)
     claim_ran(f"dispersion, {solver}, two-way {two_way}: runs", case, solver)
     return case
@@ -332,8 +305,7 @@ case.edit("constant/transportProperties", nu=1.8e-5)
 velocity(case, (1, 0, 0))
 eddies(case, 0.1, 1e-6, free)
 turbulence(case, "RAS", "kEpsilon", without_sources)
-case.write("constant/fvOptions", head("dictionary", "fvOptions")
-           + 'particles { type demTurbulenceSource; libs ("libdemCoupling.so"); }\n')
+case.dictionary("constant/fvOptions", 'particles { type demTurbulenceSource; libs ("libdemCoupling.so"); }')
 times(case, 0.004, 1e-5)
 case.run("demPimpleFoam")
 claim_ran("source: runs", case)
