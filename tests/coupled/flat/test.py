@@ -17,12 +17,12 @@ GLASS = "glass { density 2500; youngsModulus 1e6; }"
 
 
 class Slab(Case):
-    """A case of a slab in x and z, 1.1 mm thick, of this size [m] and divided into these cells."""
+    """A case of a slab in x and z, 1.1 mm thick."""
 
     patches = "slab { type empty; }"
 
     def slab(self, size, cells, ends, lean=0):
-        """Make the mesh; ends {name: ("wall;", "x- x+")} are the types of the other sides; its top is shifted by
+        """Make a mesh of this size [m]; ends {name: ("wall;", "x- x+")} are its other sides; the top is shifted by
         `lean` [m] along x."""
         (x, z), y = size, 1.1e-3
         floor = [(0, 0), (x, 0), (x, y), (0, y)]
