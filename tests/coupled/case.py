@@ -195,7 +195,7 @@ class Case:
     def gravity(self, value="(0 0 -9.81)"):
         self.dictionary("constant/g", f"dimensions [0 1 -2 0 0 0 0]; value {value};", "uniformDimensionedVectorField")
 
-    def controls(self, end, step, write=None, functions="", nu=None):
+    def controls(self, end, step, write=None, functions="", nu=None, precision=16):
         """Write controlDict: the end, the step and the interval of written times, `end` if not given [s], and
         these function objects; and the fluid's viscosity."""
         self.dictionary("system/controlDict", f"""startFrom startTime; startTime 0; stopAt endTime;
@@ -203,7 +203,7 @@ endTime {end};
 deltaT {step};
 writeControl runTime;
 writeInterval {write or end};
-writePrecision 17; timeFormat general; timePrecision 12; runTimeModifiable no;
+writePrecision {precision}; timeFormat general; timePrecision 12; runTimeModifiable no;
 functions {{ {functions} }}""")
         if nu is not None:
             self.edit("constant/transportProperties", nu=nu)

@@ -13,7 +13,7 @@ class Pipe(Case):
 
     def __init__(self, name, radius, height, cells, ends="patch"):
         super().__init__(name, "shared")
-        self.controls(1, 1)
+        self.controls(1, 1, precision=17)
         x, y = radius*math.cos(math.pi/72), radius*math.sin(math.pi/72)
         bottom, top = ("neighbourPatch top;", "neighbourPatch bottom;") if ends == "cyclic" else ("", "")
         self.mesh([(0, 0, 0), (x, -y, 0), (x, y, 0), (0, 0, height), (x, -y, height), (x, y, height)],
