@@ -37,9 +37,9 @@ from pathlib import Path
 
 import numpy as np
 
-__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "close", "difference", "finish", "head",
-           "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash", "subprocess",
-           "sys", "thorough", "time", "until", "work", "worst"]
+__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_tables", "close", "difference", "finish",
+           "head", "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash",
+           "subprocess", "sys", "thorough", "time", "until", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
 coupled = Path(__file__).resolve().parent
@@ -86,6 +86,18 @@ def claim_ran(what, case, command="demPimpleFoam"):
     """The last run of this command in the case has ended with the line End; else show the end of its log."""
     log = case.log(command)
     claim(what, re.search("^End", log, re.M), *log.splitlines()[-25:])
+
+
+def claim_tables(what, folder, *names):
+    """These tables are CSV that any reader takes without options: Python's, and pandas where it is installed."""
+    check = [coupled.parent/"csv_tables.py", *(folder/f"{name}.csv" for name in names)]
+    claim(f"{what}, plain CSV", subprocess.run([sys.executable, *check]).returncode == 0)
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import pandas"], stderr=subprocess.DEVNULL).returncode == 0:
+            claim(f"{what}, as pandas.read_csv(FILE) takes them",
+                  subprocess.run([python, check[0], "-pandas", *check[1:]]).returncode == 0)
+            return
+    skip(f"{what}, as pandas.read_csv(FILE) takes them", "no Python here has pandas (Debian: python3-pandas)")
 
 
 def finish():
@@ -185,13 +197,15 @@ class Case:
         return Run(status, self.read(name))
 
     def start(self, *command, ranks=1, log=None):
-        """Start a command in the background; returns the process, for which ended() waits."""
+        """Start a command in the background; returns the process, for which ended() waits. It is killed with the test."""
         command = [str(word) for word in command]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
         with open(self/(log or "log." + command[0]), "w") as out:
-            return subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
-                                    stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+            process = subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
+                                       stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+        atexit.register(process.kill)
+        return process
 
     def ended(self, process, limit=limit):
         """Wait for a process; returns its status, or None when it had to be killed at the limit."""
@@ -229,6 +243,25 @@ class Case:
         """The internal field of an ASCII field file, or the list of a lagrangian one: a vector of numbers for a
         scalar, one row an entry for others. A uniform field has one entry, or as many as `cells`."""
         return read_field(self/name, cells)
+
+    def particles(self, time, *fields):
+        """The particles in a time folder, sorted by id: one row a particle, its id and then these fields of it."""
+        columns = {name: self.field(f"{time}/lagrangian/particles/{name}") for name in ("id", *fields)}
+        if "positions" in columns:
+            columns["positions"] = columns["positions"][:, :3]                  # without their cells
+        rows = np.column_stack(list(columns.values()))
+        return rows[rows[:, 0].argsort()]
+
+    def names_effects(self, effects, *names):
+        """Each of these files names these effects, an expression: a table by effects.csv beside it, others at their
+        beginning."""
+        for path in (self/name for name in names):
+            if path.suffix == ".csv" and path.stat().st_size:
+                path = path.with_name("effects.csv")
+            lines = path.read_text(errors="replace").split("\n")[:16]
+            if not any(re.search(f"(effects: |^[-0-9.e]*,).*{effects}", line) for line in lines):
+                return False
+        return True
 
     def table(self, name):
         """A CSV file as a dictionary of columns by the names of its first line, without units in brackets; of the
