@@ -37,9 +37,9 @@ from pathlib import Path
 
 import numpy as np
 
-__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_tables", "close", "difference", "finish",
-           "head", "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash",
-           "subprocess", "sys", "thorough", "time", "until", "work", "worst"]
+__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_tables", "close", "difference",
+           "finish", "function_object", "head", "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip",
+           "snapshot_hash", "subprocess", "sys", "thorough", "time", "until", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
 coupled = Path(__file__).resolve().parent
@@ -50,6 +50,9 @@ work = Path(tempfile.mkdtemp())
 if not os.environ.get("SUNA_KEEP"):
     atexit.register(shutil.rmtree, work, True)
 signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+
+# couples a solver of OpenFOAM; an entry of controlDict
+function_object = 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n'
 
 # ---- TAP -------------------------------------------------------------------------------------------
 
@@ -197,7 +200,8 @@ class Case:
         return Run(status, self.read(name))
 
     def start(self, *command, ranks=1, log=None):
-        """Start a command in the background; returns the process, for which ended() waits. It is killed with the test."""
+        """Start a command in the background; returns the process, for which ended() waits. At the end of the test it is
+        killed."""
         command = [str(word) for word in command]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
