@@ -38,9 +38,9 @@ from pathlib import Path
 import numpy as np
 
 __all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_refused", "claim_tables", "close",
-           "difference", "finish", "head", "here", "largest", "math", "np", "os", "re", "read_field", "shutil",
-           "signal", "skip", "snapshot_hash", "subprocess", "sys", "thorough", "time", "until", "vector", "work",
-           "worst"]
+           "difference", "finish", "function_object", "head", "here", "largest", "math", "np", "os", "re",
+           "read_field", "shutil", "signal", "skip", "snapshot_hash", "subprocess", "sys", "thorough", "time",
+           "until", "vector", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
 coupled = Path(__file__).resolve().parent
@@ -51,6 +51,9 @@ work = Path(tempfile.mkdtemp())
 if not os.environ.get("SUNA_KEEP"):
     atexit.register(shutil.rmtree, work, True)
 signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+
+# couples a solver of OpenFOAM; an entry of controlDict
+function_object = 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n'
 
 # ---- TAP -------------------------------------------------------------------------------------------
 
@@ -95,6 +98,7 @@ def claim_refused(what, case, words, *command, **options):
     sentence = ".*".join(re.escape(part) for part in words.split(" ... "))
     claim(what, run.status not in (0, 124) and re.search(sentence, " ".join(run.log.split()))
           and not re.search("^(ExecutionTime|End)|sigFpe", run.log, re.M), *run.log.splitlines()[-12:])
+
 
 
 def claim_tables(what, folder, *names):
@@ -264,13 +268,16 @@ functions {{ {functions} }}""")
         return Run(status, self.read(name))
 
     def start(self, *command, ranks=1, log=None):
-        """Start a command in the background; returns the process, for which ended() waits."""
+        """Start a command in the background; returns the process, for which ended() waits. At the end of the test it is
+        killed."""
         command = [str(word) for word in command]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
         with open(self/(log or "log." + command[0]), "w") as out:
-            return subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
-                                    stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+            process = subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
+                                       stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+        atexit.register(process.kill)
+        return process
 
     def ended(self, process, limit=limit):
         """Wait for a process; returns its status, or None when it had to be killed at the limit."""
@@ -317,6 +324,7 @@ functions {{ {functions} }}""")
             return _repeated(found[2], 1)
         return _listed(found[2], f"{patch} of {name}")
 
+
     def particles(self, time, *fields):
         """The particles in a time folder, sorted by id: one row a particle, its id and then these fields of it."""
         columns = {name: self.field(f"{time}/lagrangian/particles/{name}") for name in ("id", *fields)}
@@ -324,6 +332,18 @@ functions {{ {functions} }}""")
             columns["positions"] = columns["positions"][:, :3]                  # without their cells
         rows = np.column_stack(list(columns.values()))
         return rows[rows[:, 0].argsort()]
+
+
+    def names_effects(self, effects, *names):
+        """Each of these files names these effects, an expression: a table by effects.csv beside it, others at their
+        beginning."""
+        for path in (self/name for name in names):
+            if path.suffix == ".csv" and path.stat().st_size:
+                path = path.with_name("effects.csv")
+            lines = path.read_text(errors="replace").split("\n")[:16]
+            if not any(re.search(f"(effects: |^[-0-9.e]*,).*{effects}", line) for line in lines):
+                return False
+        return True
 
     def table(self, name):
         """A CSV file as a dictionary of columns by the names of its first line, without units in brackets; of the
