@@ -114,12 +114,13 @@ class Run:
 
 
 class Case:
-    """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it."""
+    """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it. A stock case, a folder of
+    OpenFOAM's tutorials, is copied alone: Case("cavity", FOLDER, shared=False)."""
 
-    def __init__(self, name="case", source=here):
+    def __init__(self, name="case", source=here, shared=True):
         self.path = work/name
         shutil.rmtree(self.path, ignore_errors=True)
-        for folder in (coupled/"shared", coupled/source):
+        for folder in [coupled/"shared"]*shared + [coupled/source]:
             shutil.copytree(folder, self.path, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
         if (self/"0.orig").is_dir():
             shutil.copytree(self/"0.orig", self/"0", dirs_exist_ok=True)
@@ -229,6 +230,14 @@ class Case:
         """The internal field of an ASCII field file, or the list of a lagrangian one: a vector of numbers for a
         scalar, one row an entry for others. A uniform field has one entry, or as many as `cells`."""
         return read_field(self/name, cells)
+
+    def particles(self, time, *fields):
+        """The particles in a time folder, sorted by id: one row a particle, its id and then these fields of it."""
+        columns = {name: self.field(f"{time}/lagrangian/particles/{name}") for name in ("id", *fields)}
+        if "positions" in columns:
+            columns["positions"] = columns["positions"][:, :3]                  # without their cells
+        rows = np.column_stack(list(columns.values()))
+        return rows[rows[:, 0].argsort()]
 
     def table(self, name):
         """A CSV file as a dictionary of columns by the names of its first line, without units in brackets; of the
