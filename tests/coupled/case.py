@@ -139,14 +139,15 @@ class Run:
 
 
 class Case:
-    """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it."""
+    """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it. A stock case, a folder of
+    OpenFOAM's tutorials, is copied alone: Case("cavity", FOLDER, shared=False)."""
 
     patches = ""                  # entries of patches that initial() and flow() add to each field
 
-    def __init__(self, name="case", source=here):
+    def __init__(self, name="case", source=here, shared=True):
         self.path = work/name
         shutil.rmtree(self.path, ignore_errors=True)
-        for folder in (coupled/"shared", coupled/source):
+        for folder in [coupled/"shared"]*shared + [coupled/source]:
             shutil.copytree(folder, self.path, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
         if (self/"0.orig").is_dir():
             shutil.copytree(self/"0.orig", self/"0", dirs_exist_ok=True)
@@ -332,7 +333,6 @@ functions {{ {functions} }}""")
             columns["positions"] = columns["positions"][:, :3]                  # without their cells
         rows = np.column_stack(list(columns.values()))
         return rows[rows[:, 0].argsort()]
-
 
     def names_effects(self, effects, *names):
         """Each of these files names these effects, an expression: a table by effects.csv beside it, others at their
