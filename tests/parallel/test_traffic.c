@@ -22,7 +22,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/internal.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
