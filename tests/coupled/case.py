@@ -37,9 +37,10 @@ from pathlib import Path
 
 import numpy as np
 
-__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "close", "difference", "finish", "head",
-           "here", "largest", "math", "np", "os", "re", "shutil", "signal", "skip", "snapshot_hash", "subprocess",
-           "sys", "thorough", "time", "until", "work", "worst"]
+__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_refused", "claim_tables", "close",
+           "difference", "finish", "function_object", "head", "here", "largest", "math", "np", "os", "re",
+           "read_field", "shutil", "signal", "skip", "snapshot_hash", "subprocess", "sys", "thorough", "time",
+           "until", "vector", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
 coupled = Path(__file__).resolve().parent
@@ -50,6 +51,9 @@ work = Path(tempfile.mkdtemp())
 if not os.environ.get("SUNA_KEEP"):
     atexit.register(shutil.rmtree, work, True)
 signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+
+# couples a solver of OpenFOAM; an entry of controlDict
+function_object = 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n'
 
 # ---- TAP -------------------------------------------------------------------------------------------
 
@@ -88,6 +92,27 @@ def claim_ran(what, case, command="demPimpleFoam"):
     claim(what, re.search("^End", log, re.M), *log.splitlines()[-25:])
 
 
+def claim_refused(what, case, words, *command, **options):
+    """The command ends with an error before its first time step and prints these words; " ... " is any text."""
+    run = case.run(*command, **options)
+    sentence = ".*".join(re.escape(part) for part in words.split(" ... "))
+    claim(what, run.status not in (0, 124) and re.search(sentence, " ".join(run.log.split()))
+          and not re.search("^(ExecutionTime|End)|sigFpe", run.log, re.M), *run.log.splitlines()[-12:])
+
+
+
+def claim_tables(what, folder, *names):
+    """These tables are CSV that any reader takes without options: Python's, and pandas where it is installed."""
+    check = [coupled.parent/"csv_tables.py", *(folder/f"{name}.csv" for name in names)]
+    claim(f"{what}, plain CSV", subprocess.run([sys.executable, *check]).returncode == 0)
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import pandas"], stderr=subprocess.DEVNULL).returncode == 0:
+            claim(f"{what}, as pandas.read_csv(FILE) takes them",
+                  subprocess.run([python, check[0], "-pandas", *check[1:]]).returncode == 0)
+            return
+    skip(f"{what}, as pandas.read_csv(FILE) takes them", "no Python here has pandas (Debian: python3-pandas)")
+
+
 def finish():
     print(f"1..{claims}")
     sys.exit(1 if failures or not claims else 0)
@@ -117,6 +142,8 @@ class Case:
     """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it. A stock case, a folder of
     OpenFOAM's tutorials, is copied alone: Case("cavity", FOLDER, shared=False)."""
 
+    patches = ""                  # entries of patches that initial() and flow() add to each field
+
     def __init__(self, name="case", source=here, shared=True):
         self.path = work/name
         shutil.rmtree(self.path, ignore_errors=True)
@@ -134,6 +161,62 @@ class Case:
     def write(self, name, text):
         (self/name).parent.mkdir(parents=True, exist_ok=True)
         (self/name).write_text(text)
+
+    def dictionary(self, name, text, kind="dictionary"):
+        """Write a file of OpenFOAM: its head, then this text."""
+        self.write(name, head(kind, Path(name).name) + text + "\n")
+
+    def mesh(self, vertices, blocks, patches, edges="", scale=1):
+        """Make a mesh with blockMesh: vertices (x, y, z), blocks "(0 1 ...) (5 5 5)", with simpleGrading (1 1 1)
+        unless they have another one, and patches {name: "type wall; faces (...);"}."""
+        blocks = [f"hex {block}" + ("" if "Grading" in block else " simpleGrading (1 1 1)") for block in blocks]
+        self.dictionary("system/blockMeshDict", f"scale {scale};\nvertices (" + "\n".join(map(vector, vertices))
+                        + ");\nblocks (" + "\n".join(blocks) + f");\nedges ({edges});\nboundary ("
+                        + "\n".join(f"{name} {{ {entries} }}" for name, entries in patches.items())
+                        + ");\nmergePatchPairs ();")
+        return self.run("blockMesh")
+
+    def box(self, size, cells, patches, grading="1 1 1"):
+        """Make a mesh of a box from the origin, with patches {name: ("wall", "x- y+")} of these sides."""
+        sides = {"x-": "(0 4 7 3)", "x+": "(1 2 6 5)", "y-": "(0 1 5 4)", "y+": "(3 7 6 2)",
+                 "z-": "(0 3 2 1)", "z+": "(4 5 6 7)"}
+        x, y, z = size
+        return self.mesh([(a, b, c) for c in (0, z) for a, b in ((0, 0), (x, 0), (x, y), (0, y))],
+                         [f"(0 1 2 3 4 5 6 7) {vector(cells)} simpleGrading ({grading})"],
+                         {name: f"type {kind}; faces ({' '.join(sides[side] for side in faces.split())});"
+                          for name, (kind, faces) in patches.items()})
+
+    def initial(self, name, dimensions, value, patches):
+        """Write 0/NAME, uniform."""
+        self.dictionary(f"0/{name}", f"dimensions [{dimensions}];\ninternalField uniform {value};\n"
+                        f"boundaryField\n{{\n    {self.patches} {patches}\n}}",
+                        "volVectorField" if str(value).startswith("(") else "volScalarField")
+
+    def flow(self, velocity, U, p):
+        """Write 0/U, uniform, and 0/p with these patches."""
+        self.initial("U", "0 1 -1 0 0 0 0", velocity, U)
+        self.initial("p", "0 2 -2 0 0 0 0", 0, p)
+
+    def gravity(self, value="(0 0 -9.81)"):
+        self.dictionary("constant/g", f"dimensions [0 1 -2 0 0 0 0]; value {value};", "uniformDimensionedVectorField")
+
+    def controls(self, end, step, write=None, functions="", nu=None, precision=16):
+        """Write controlDict: the end, the step and the interval of written times, `end` if not given [s], and
+        these function objects; and the fluid's viscosity."""
+        self.dictionary("system/controlDict", f"""startFrom startTime; startTime 0; stopAt endTime;
+endTime {end};
+deltaT {step};
+writeControl runTime;
+writeInterval {write or end};
+writePrecision {precision}; timeFormat general; timePrecision 12; runTimeModifiable no;
+functions {{ {functions} }}""")
+        if nu is not None:
+            self.edit("constant/transportProperties", nu=nu)
+
+    def properties(self, materials, effects, insert, coupling, more=""):
+        """Write demProperties."""
+        self.dictionary("constant/demProperties", f"materials {{ {materials} }}\neffects {{ {effects} }}\n"
+                        f"insert {{ {insert} }}\ncoupling {{ {coupling} }}\n{more}")
 
     def append(self, name, text):
         with open(self/name, "a") as file:
@@ -186,13 +269,16 @@ class Case:
         return Run(status, self.read(name))
 
     def start(self, *command, ranks=1, log=None):
-        """Start a command in the background; returns the process, for which ended() waits."""
+        """Start a command in the background; returns the process, for which ended() waits. At the end of the test it is
+        killed."""
         command = [str(word) for word in command]
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
         with open(self/(log or "log." + command[0]), "w") as out:
-            return subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
-                                    stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+            process = subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
+                                       stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path)})
+        atexit.register(process.kill)
+        return process
 
     def ended(self, process, limit=limit):
         """Wait for a process; returns its status, or None when it had to be killed at the limit."""
@@ -231,6 +317,15 @@ class Case:
         scalar, one row an entry for others. A uniform field has one entry, or as many as `cells`."""
         return read_field(self/name, cells)
 
+    def boundary(self, name, patch):
+        """The values of a field on a patch; of a uniform patch one entry."""
+        text = self.read(name)
+        found = re.search(rf"\n\s*{patch}\s*\{{.*?\bvalue\s+(uniform|nonuniform List<\w+>)\s*([^;]*);", text, re.S)
+        if found[1] == "uniform":
+            return _repeated(found[2], 1)
+        return _listed(found[2], f"{patch} of {name}")
+
+
     def particles(self, time, *fields):
         """The particles in a time folder, sorted by id: one row a particle, its id and then these fields of it."""
         columns = {name: self.field(f"{time}/lagrangian/particles/{name}") for name in ("id", *fields)}
@@ -238,6 +333,17 @@ class Case:
             columns["positions"] = columns["positions"][:, :3]                  # without their cells
         rows = np.column_stack(list(columns.values()))
         return rows[rows[:, 0].argsort()]
+
+    def names_effects(self, effects, *names):
+        """Each of these files names these effects, an expression: a table by effects.csv beside it, others at their
+        beginning."""
+        for path in (self/name for name in names):
+            if path.suffix == ".csv" and path.stat().st_size:
+                path = path.with_name("effects.csv")
+            lines = path.read_text(errors="replace").split("\n")[:16]
+            if not any(re.search(f"(effects: |^[-0-9.e]*,).*{effects}", line) for line in lines):
+                return False
+        return True
 
     def table(self, name):
         """A CSV file as a dictionary of columns by the names of its first line, without units in brackets; of the
@@ -290,9 +396,14 @@ def read_field(path, cells=None):
         text = text[start:]
         if uniform := re.match(r"internalField\s+uniform\s+([^;]*);", text):
             return _repeated(uniform[1], cells or 1)
+    return _listed(text, path)
+
+
+def _listed(text, name):
+    """The numbers of OpenFOAM's N(...) or N{...}."""
     listed = re.search(r"(\d+)\s*([({])", text)
     if not listed:
-        raise ValueError(f"{path} has no list of numbers")
+        raise ValueError(f"{name} has no list of numbers")
     n, text = int(listed[1]), text[listed.end():]
     if listed[2] == "{":                              # N{entry}: all are equal
         return _repeated(text[:text.index("}")], n)
@@ -346,6 +457,11 @@ def agrees(a, b):
 def snapshot_hash(path):
     """The fingerprint of a snapshot of the DEM core."""
     return subprocess.run(["dem", "hash", str(path)], check=True, capture_output=True, text=True).stdout.strip()
+
+
+def vector(values):
+    """(x y z), with all digits"""
+    return "(" + " ".join(f"{x:.17g}" for x in values) + ")"
 
 
 def head(kind, name):
