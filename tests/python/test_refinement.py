@@ -7,9 +7,10 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import sys
 
 import numpy
+
+from tap import finish, run_tests
 
 from suna.cost.refinement import CLOSED, EXTRAPOLATED, STATISTICS, Level, analyze
 
@@ -73,18 +74,6 @@ def diverging():
     assert found.reference == 0 and found.uncertainty >= 1 and numpy.isnan(found.order)
 
 
-def main():
-    tests, failed = (smooth, scattered, chaotic, error_and_scatter, given, diverging), 0
-    print(f"1..{len(tests)}")
-    for number, test in enumerate(tests, 1):
-        try:
-            test()
-            print(f"ok {number} - refinement: {test.__doc__}")
-        except AssertionError as error:
-            failed += 1
-            print(f"not ok {number} - refinement: {test.__doc__}\n#   {error!r}")
-    return failed > 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    run_tests(smooth, scattered, chaotic, error_and_scatter, given, diverging)
+    finish()

@@ -10,12 +10,14 @@ import os
 import re
 import subprocess
 import sys
+from functools import partial
 from math import cos, exp, pi, sin, sqrt
 from pathlib import Path
 
 import numpy
 
 import suna
+from tap import finish, run_tests
 
 DEM, FOLDER = os.environ["DEM"], Path(sys.argv[1])/"target"
 R, DENSITY, G = 5e-4, 2500.0, 9.81
@@ -170,18 +172,12 @@ def refused():
 
 def main():
     FOLDER.mkdir(parents=True)
-    checks = [(f"{case.__name__}: the chosen step is within the target of the closed form",
-               lambda case=case, target=target: check(case, target))
-              for case, target in CASES.items()]
-    checks += [(f.__doc__, f) for f in (wish, longer, short, refused)]
-    for number, (name, run) in enumerate(checks, 1):
-        try:
-            run()
-            print(f"ok {number} - {name}", flush=True)
-        except Exception as error:      # continue with the next test
-            print("# " + str(error).replace("\n", "\n# "))
-            print(f"not ok {number} - {name}", flush=True)
-    print(f"1..{len(checks)}")
+    for case, target in CASES.items():
+        test = partial(check, case, target)
+        test.__doc__ = f"{case.__name__}: the chosen step is within the target of the closed form"
+        run_tests(test)
+    run_tests(wish, longer, short, refused)
+    finish()
 
 
 main()
