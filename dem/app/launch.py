@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna.cost or
-suna.importer with a python3 that has what it needs. `dem cost` starts dem-cost.
+"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna_cost or
+suna_import with a python3 that has what it needs. `dem cost` starts dem-cost.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -30,7 +30,7 @@ if missing:
              "name another Python by SUNA_PYTHON")
 
 # in the source tree, below the same prefix (make install), or beside the library of ./Allwmake
-for folder in (os.path.join(HERE, "..", "python"),
+for folder in (os.path.join(HERE, "..", "..", "python"),
                *glob.glob(os.path.join(HERE, "..", "lib", "python3*", "*-packages")),
                os.path.join(HERE, "..", "lib", "python"),
                os.path.join(os.environ.get("FOAM_USER_LIBBIN", HERE), "python")):
@@ -42,13 +42,13 @@ else:
         sys.exit(f"{COMMAND}: no package suna; build Suna with ./Allwmake or make -C dem, or install it")
 
 try:
-    from suna.cost.__main__ import command, main
+    from suna_cost.__main__ import command, main
 except ImportError as error:
     sys.exit(f"{COMMAND}: {error}")
 if NAME == "dem-import":
-    from suna.importer.__main__ import main
+    from suna_import.__main__ import main
 elif NAME == "demCost":
-    from suna.cost.case_command import main
+    from suna_cost.case_command import main
 elif NAME == "dem-plot":
-    from suna.cost.plot import main
+    from suna_cost.plot import main
 sys.exit(command(sys.argv[1:], "dem" if NAME == "dem-cost" else COMMAND, main))

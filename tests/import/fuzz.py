@@ -23,10 +23,10 @@ import test_cases
 import test_liggghts
 
 import suna
-from suna.importer import __main__ as importer
-from suna.importer.liggghts_mesh import write_stl
-from suna.importer.report import CannotTranslate, Report
-from suna.importer.units import Units
+from suna_import import __main__ as importer
+from suna_import.liggghts_mesh import write_stl
+from suna_import.report import CannotTranslate, Report
+from suna_import.units import Units
 from tap import claim, finish
 
 WORK = Path(sys.argv[1]).resolve()/"fuzz"

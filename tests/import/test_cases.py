@@ -17,12 +17,12 @@ import numpy
 from scipy.integrate import solve_ivp
 from scipy.special import erfinv
 
-from suna.importer import cfdem, cfdem_models, cloud, cloud_injection, cloud_models, cloud_sizes
-from suna.importer.foam_dictionary import read_dictionary
-from suna.importer.liggghts_mesh import read_triangles, write_stl
-from suna.importer.mesh_patches import read_patches
-from suna.importer.mesh_surfaces import distance, samples
-from suna.importer.report import APPROXIMATED, HARMLESS, TRANSLATED, CannotTranslate, Report
+from suna_import import cfdem, cfdem_models, cloud, cloud_injection, cloud_models, cloud_sizes
+from suna_import.foam_dictionary import read_dictionary
+from suna_import.liggghts_mesh import read_triangles, write_stl
+from suna_import.mesh_patches import read_patches
+from suna_import.mesh_surfaces import distance, samples
+from suna_import.report import APPROXIMATED, HARMLESS, TRANSLATED, CannotTranslate, Report
 from tap import finish, run_tests, skip
 
 WORK = Path(sys.argv[1])/"cases"

@@ -16,14 +16,14 @@ from pathlib import Path
 import numpy
 
 import suna
-from suna.importer.liggghts import Translation
-from suna.importer.liggghts_contact import COHESION, NORMAL, ROLLING, TANGENTIAL
-from suna.importer.liggghts_expression import Dynamic, Expression, Malformed
-from suna.importer.liggghts_mesh import read_triangles, write_stl
-from suna.importer.liggghts_packing import count_placed
-from suna.importer.liggghts_region import Region
-from suna.importer.liggghts_scene import write_scenes
-from suna.importer.report import (APPROXIMATED, HARMLESS, LOST, TRANSLATED, CannotTranslate,
+from suna_import.liggghts import Translation
+from suna_import.liggghts_contact import COHESION, NORMAL, ROLLING, TANGENTIAL
+from suna_import.liggghts_expression import Dynamic, Expression, Malformed
+from suna_import.liggghts_mesh import read_triangles, write_stl
+from suna_import.liggghts_packing import count_placed
+from suna_import.liggghts_region import Region
+from suna_import.liggghts_scene import write_scenes
+from suna_import.report import (APPROXIMATED, HARMLESS, LOST, TRANSLATED, CannotTranslate,
                                   Report)
 from tap import finish, run_tests
 

@@ -127,7 +127,7 @@ class Manual:
         path = os.path.join(self.work, page.replace("/", "_").replace(".md", ""))
         if not os.path.isdir(path):
             os.makedirs(path)
-            for name in ("dem", "tests", "tutorials", "coupling", "solvers", "docs"):
+            for name in ("dem", "tests", "tutorials", "coupling", "solvers", "docs", "python"):
                 os.symlink(os.path.join(ROOT, name), os.path.join(path, name))
             with open(os.path.join(path, "drop.dem"), "w") as out:
                 out.write(self.first)

@@ -12,7 +12,7 @@ import numpy
 
 from tap import finish, run_tests
 
-from suna.cost.refinement import CLOSED, EXTRAPOLATED, STATISTICS, Level, analyze
+from suna_cost.refinement import CLOSED, EXTRAPOLATED, STATISTICS, Level, analyze
 
 TRUTH, MANY = 3.0, 400
 

@@ -26,14 +26,14 @@ def declarations(text):
 
 def find():
     """Folder of the headers and path of the library; SUNA_LIBRARY names another one."""
-    tree = HERE.parent.parent
+    core = HERE.parent.parent/"dem"
     if (HERE/"include"/"dem.h").exists():
         # installed by pip, or by ./Allwmake beside the library
         headers = HERE/"include"
         library = HERE/"libdem.so" if (HERE/"libdem.so").exists() else \
             HERE.parent.parent/"libdem.so"
     else:
-        headers, library = tree/"include", tree/"build"/"libdem.so"
+        headers, library = core/"include", core/"build"/"libdem.so"
     library = Path(os.environ.get("SUNA_LIBRARY", library))
     if not library.exists():
         raise ImportError(f"suna: there is no library {library}; build it with make -C dem in the "

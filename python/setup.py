@@ -1,8 +1,8 @@
-"""setup.py -- build the core (make) and put library and headers into the package; put its sources into
-a source distribution, which has no dem/ around it.
+"""setup.py -- build the core (make) and put library and headers into the package suna; put its sources
+into a source distribution, which has no dem/ beside it.
 
-    pip install ./dem/python
-    python3 -c 'from setuptools.build_meta import build_sdist; build_sdist("dist")'     in dem/python
+    pip install ./python
+    python3 -c 'from setuptools.build_meta import build_sdist; build_sdist("dist")'     in python/
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -18,7 +18,7 @@ from setuptools.dist import Distribution
 
 HERE = Path(__file__).resolve().parent
 # of a source distribution, or of the tree
-CORE = HERE/"core" if (HERE/"core").is_dir() else HERE.parent
+CORE = HERE/"core" if (HERE/"core").is_dir() else HERE.parent/"dem"
 VERSION = re.search(r'#define DEM_VERSION "(.*)"', (CORE/"include"/"dem.h").read_text()).group(1)
 # what `make shared` reads: sources lie at most three folders deep
 SOURCES = ("Makefile", "Make/*", "install/*", "*/*.[ch]", "*/*/*.[ch]")
@@ -42,11 +42,11 @@ class WithSources(sdist):
             for file in CORE.glob(pattern):
                 name = file.relative_to(CORE)
                 # links of wmake, objects
-                if file.is_file() and not {"lnInclude", "build", "python"} & set(name.parts):
+                if file.is_file() and not {"lnInclude", "build"} & set(name.parts):
                     target = Path(base_dir)/"core"/name
                     target.parent.mkdir(parents=True, exist_ok=True)
                     shutil.copy(file, target)
-        licence = HERE.parent.parent/"COPYING"
+        licence = HERE.parent/"COPYING"
         if licence.exists():
             shutil.copy(licence, base_dir)
 

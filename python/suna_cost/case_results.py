@@ -11,7 +11,7 @@ import re
 
 import numpy
 
-from ..files import read_record
+from suna import read_record
 from .study import Refused
 
 

@@ -1,5 +1,5 @@
 """__main__.py -- `dem import`: recognises the input of another code and writes a scene or a case of
-Suna. Also python3 -m suna.importer.
+Suna. Also python3 -m suna_import.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -8,10 +8,10 @@ import os
 import sys
 from pathlib import Path
 
-from ..cost.__main__ import command
-from ..cost.options import read_options
-from ..cost.study import Refused
-from ..simulation import SunaError
+from suna_cost.__main__ import command
+from suna_cost.options import read_options
+from suna_cost.study import Refused
+from suna import SunaError
 from .liggghts import Translation
 from .liggghts_particles import BadFile, is_data, is_dump, read_data, read_dump, write_table
 from .liggghts_scene import write_scenes

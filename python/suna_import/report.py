@@ -20,7 +20,7 @@ import csv
 import textwrap
 from typing import NamedTuple
 
-from ..cost.study import Refused
+from suna_cost.study import Refused
 
 WIDTH = 100     # characters of a line
 

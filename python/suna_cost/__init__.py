@@ -1,4 +1,4 @@
-"""suna.cost -- accuracy against cost: errors and processor time over refinement series of a scene or
+"""suna_cost -- accuracy against cost: errors and processor time over refinement series of a scene or
 of a coupled case.
 
 A series varies one parameter: time step, contact stiffness, law of friction, or each

@@ -1,4 +1,4 @@
-"""suna.importer -- `dem import`: input of other codes translated into scenes and cases of Suna.
+"""suna_import -- `dem import`: input of other codes translated into scenes and cases of Suna.
 
     report.py       what was translated, approximated, left out as harmless; what cannot be
                     translated

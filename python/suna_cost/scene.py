@@ -18,7 +18,7 @@ import time
 
 import numpy
 
-from ..simulation import Simulation, SunaError
+from suna import Simulation, SunaError
 from .closed_forms import closed_forms, find_impact, vector
 from .study import Level, Refused, Run, Series, Study
 

@@ -1,5 +1,5 @@
 """__main__.py -- `dem cost SCENE`: run a window of the scene over refinement series and report errors
-and processor time of each level. Also python3 -m suna.cost.
+and processor time of each level. Also python3 -m suna_cost.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -8,7 +8,7 @@ import os
 import sys
 from types import SimpleNamespace
 
-from ..simulation import SunaError
+from suna import SunaError
 from .options import fraction, levels, make_folder, number, read_options, whole, words
 from .report import report
 from .scene import ON_REQUEST, SERIES, UNITS, Alone, SceneStudy, Together
@@ -50,7 +50,7 @@ with -target a scene.
 
     dem cost -judge TABLE FOLDER
                        instead: errors, times and the best buy of a table of runs of any
-                       program (suna/cost/table.py has its format)
+                       program (suna_cost/table.py has its format)
 
 For an OpenFOAM case: demCost -help.
 """
