@@ -54,7 +54,7 @@ def draw_quantity(axes, rows):
                   ms=4, label=label)
     for r, t, e in zip(rows, time, error):
         if compared:
-            axes.annotate(r["rung"], (t, e), xytext=(5, 3), textcoords="offset points",
+            axes.annotate(r["level"], (t, e), xytext=(5, 3), textcoords="offset points",
                           fontsize=6.5,
                           color=COLOURS.get(name, "#777777"))
         if r["base"] == "1":
@@ -73,10 +73,10 @@ def plot(path):
     path = Path(path)
     with path.open() as file:
         rows = list(csv.DictReader(file))
-    names = list(dict.fromkeys(r["ladder"] for r in rows))
+    names = list(dict.fromkeys(r["series"] for r in rows))
     figure, panels = plt.subplots(1, len(names), figsize=(5.2*len(names), 4.4), squeeze=False)
     for axes, series in zip(panels[0], names):
-        own = [r for r in rows if r["ladder"] == series]
+        own = [r for r in rows if r["series"] == series]
         draw_front(axes, own)
         for quantity in dict.fromkeys(r["quantity"] for r in own):
             draw_quantity(axes, [r for r in own if r["quantity"] == quantity])

@@ -11,7 +11,7 @@ from .best_buy import best_buy
 
 WIDTH = 15      # characters of a column
 
-COLUMNS = ("ladder rung base size step[s] processor[s] spread runs quantity unit mean scatter "
+COLUMNS = ("series level base size step[s] processor[s] spread runs quantity unit mean scatter "
            "reference reference_unsure kind scale error error_unsure order order_unsure worst "
            "front").split()
 

@@ -1,7 +1,6 @@
 """table.py -- a study as a table of runs that another program made.
 
-One statement a line, its words separated by commas; `ladder` and `rung` are accepted for `series` and
-`level`.
+One statement a line, its words separated by commas.
 
   title,TEXT                         first line of the report
   window,S                           simulated time of each run [s]
@@ -26,7 +25,6 @@ from .study import Level, Refused, Run, Series, Study
 
 WORDS = {"title": 2, "window": 2, "target": 2, "closed": 3, "series": 5, "level": 5, "run": 3,
          "value": 5, "failed": 2}
-OLD = {"ladder": "series", "rung": "level"}
 
 
 class Reader:
@@ -53,7 +51,6 @@ class Reader:
 
     def read(self, text):
         statement = text.split(",", 1)[0]
-        statement = OLD.get(statement, statement)
         if statement not in WORDS:
             self.refuse("begins with none of " + ", ".join(WORDS))
         words = text.split(",", WORDS[statement] - 1)[1:]

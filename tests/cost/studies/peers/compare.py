@@ -104,7 +104,7 @@ def write(rows, folder):
 
 def rows_of(path):
     with open(path) as file:
-        return [r for r in csv.DictReader(file) if r["ladder"] == "step"]
+        return [r for r in csv.DictReader(file) if r["series"] == "step"]
 
 
 def suna(name, a, folder):
@@ -154,9 +154,9 @@ def liggghts(name, a, folder, steps_of, skin):
     scene = SCENES[name]
     rest = liggghts_rest(scene, folder, skin)
     with open(folder/"table.csv", "w") as out:
-        out.write(f"title,{name} in LIGGGHTS\nwindow,{scene['window']!r}\nladder,step,step,timestep,time step as in Suna\n")
-        for rung, own in zip(LEVELS, steps_of):
-            out.write(f"rung,{rung:g},{int(rung == 1)},{rung!r},{scene['window']/own!r}\n")
+        out.write(f"title,{name} in LIGGGHTS\nwindow,{scene['window']!r}\nseries,step,step,timestep,time step as in Suna\n")
+        for level, own in zip(LEVELS, steps_of):
+            out.write(f"level,{level:g},{int(level == 1)},{level!r},{scene['window']/own!r}\n")
             apart = max(1, round(0.08*own/scene["looks"]/(RUNS - 1)))*scene["looks"]
             for k in range(RUNS):
                 steps = own + apart*(k - (RUNS - 1)//2)
@@ -182,7 +182,7 @@ def errors(name, rows, quantity, start):
     """[(level, error, seconds)]; against the closed form where there is one."""
     kept = SCENES[name]["kept"]
     own = [r for r in rows if r["quantity"] == quantity]
-    return [(float(r["rung"]), abs(float(r["mean"])/(kept*start) - 1) if kept
+    return [(float(r["level"]), abs(float(r["mean"])/(kept*start) - 1) if kept
              else float(r["error"]), float(r["processor[s]"])) for r in own]
 
 
@@ -207,17 +207,17 @@ def compare(name, a, folder, out):
         if skin is None:
             looks = SCENES[name]["looks"]
             steps_of = [looks*round(SCENES[name]["window"]/looks/float(next(r for r in ours
-                if float(r["rung"]) == g)["step[s]"])) for g in LEVELS]
+                if float(r["level"]) == g)["step[s]"])) for g in LEVELS]
             skin = fastest(name, folder, steps_of[2])
         turns.append((ours, liggghts(name, a, folder, steps_of, skin)))
     print(f"{name}: {len(rows)} spheres, LIGGGHTS with a skin of {skin:g} m", file=out)
     for quantity in SCENES[name]["of"].split(","):
         both = [[errors(name, rows, quantity, start) for rows in turn] for turn in turns]
         print(f"  {quantity:10} level  Suna error  time        LIGGGHTS error  time        time for Suna's error  share", file=out)
-        for k, rung in enumerate(LEVELS):
+        for k, level in enumerate(LEVELS):
             share = [own[k][2]/price(other, own[k][1]) for own, other in both]
             middle = [statistics.median(t[c][k][2] for t in both) for c in (0, 1)]
-            print(f"  {'':10} {rung:<6g} {100*both[0][0][k][1]:8.3g} %  {middle[0]:.3g} s  {'':4} {100*both[0][1][k][1]:8.3g} %  {'':4} {middle[1]:.3g} s"
+            print(f"  {'':10} {level:<6g} {100*both[0][0][k][1]:8.3g} %  {middle[0]:.3g} s  {'':4} {100*both[0][1][k][1]:8.3g} %  {'':4} {middle[1]:.3g} s"
                   f"  {'':8} {middle[0]/statistics.median(share):.3g} s  {'':8} {statistics.median(share):.2f} ({min(share):.2f} to {max(share):.2f})", file=out)
     out.flush()
     shutil.copy(folder/"liggghts/cost.csv", HERE.parent/f"stored/peers/{name}.liggghts.csv")
