@@ -8,11 +8,11 @@ import os
 import sys
 from types import SimpleNamespace
 
-from suna import SunaError
-from .options import fraction, levels, make_folder, number, read_options, whole, words
+from suna.command import Refused, command, read_options
+
+from .options import fraction, levels, make_folder, number, whole, words
 from .report import report
 from .scene import ON_REQUEST, SERIES, UNITS, Alone, SceneStudy, Together
-from .study import Refused
 from .table import read_study
 from .target import run_scene, search, write_copy
 
@@ -112,9 +112,7 @@ def finish_search(work, study, why):
 
 
 def main(arguments):
-    if arguments and arguments[0] in ("-help", "-h"):
-        print(HELP, end="")
-    elif arguments and arguments[0] == "-judge":
+    if arguments and arguments[0] == "-judge":
         if len(arguments) != 3:
             raise Refused("dem cost -judge takes a table and a folder; see dem cost -help")
         study = read_study(arguments[1])
@@ -144,23 +142,5 @@ def main(arguments):
                 finish_search(work, study, why)
 
 
-def command(arguments, name="dem", run=main):
-    """The exit status of a command whose words go to `run`."""
-    try:
-        run(arguments)
-        sys.stdout.flush()
-    except OSError as error:
-        print(f"{name}: {error.filename or 'standard output'}: {error.strerror}", file=sys.stderr)
-        sys.stdout = None  # what is left in it cannot be written at the exit either
-        return 1
-    except (Refused, SunaError) as error:
-        print(f"{name}: {error}", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print(f"{name}: interrupted", file=sys.stderr)
-        return 130
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(command(sys.argv[1:]))
+    sys.exit(command(sys.modules[__name__], "dem", sys.argv[1:]))

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import numpy
 
-from .study import Refused
+from suna.command import Refused
+
 
 PROGRAMS = ("dem", "blockMesh", "foamDictionary")
 

@@ -6,12 +6,13 @@ import math
 from pathlib import Path
 from types import SimpleNamespace
 
+from suna.command import Refused, read_options
+
 from .case import Case
 from .case_study import SERIES, UNITS, CaseStudy
 from .case_target import copy_name, write_copy
-from .options import fraction, levels, make_folder, number, read_options, whole, words
+from .options import fraction, levels, make_folder, number, whole, words
 from .report import report
-from .study import Refused
 from .target import search
 
 HELP = """Usage: demCost [OPTION VALUE] ...
@@ -103,9 +104,6 @@ def read_command(arguments):
 
 
 def main(arguments):
-    if arguments and arguments[0] in ("-help", "-h"):
-        print(HELP, end="")
-        return
     case, options = read_command(arguments)
     work = CaseStudy(Case(case), options)
     copy = copy_name(work.case) if options.search else None

@@ -12,7 +12,7 @@ import re
 import numpy
 
 from suna import read_record
-from .study import Refused
+from suna.command import Refused
 
 
 def sample_values(beads, up):

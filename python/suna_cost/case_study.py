@@ -17,9 +17,11 @@ import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from suna.command import Refused
+
 from .case import call, finer, patches
 from .case_results import failure_reason, processor_time, result_values
-from .study import Level, Refused, Run, Series, Study
+from .study import Level, Run, Series, Study
 
 UNITS = {"kinetic": "m2/s2", "height": "m", "level": "m", "overlap": "1", "void": "1", "force": "N",
          "drop": "m2/s2"}

@@ -10,9 +10,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import shutil
 
+from suna.command import Refused
+
 from .best_buy import choose
 from .case_study import NO_COPY, append
-from .study import Refused
 from .target import remark
 
 

@@ -1,18 +1,11 @@
-"""options.py -- the words of a command: options with their values, numbers, levels, lists.
+"""options.py -- values of options: numbers, levels, lists.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import difflib
 import math
 import os
 
-from .study import Refused
-
-
-def unknown(what, word, known):
-    near = difflib.get_close_matches(word, known, 1, 0.5)
-    return Refused(f'unknown {what} "{word}"' + (f"; did you mean {near[0]}?" if near else ";")
-                   + f" known: {', '.join(known)}")
+from suna.command import Refused, unknown
 
 
 def number(name, text, low, high, default):
@@ -68,27 +61,6 @@ def words(what, name, text, known):
         if word not in known:
             raise unknown(what, word, known)
     return tuple(word for word in known if word in text.split(","))
-
-
-def read_options(arguments, command, values, flags=()):
-    """Options by name, and the other words. -set takes two words or PATH=VALUE, and may be repeated."""
-    given, plain, rest = {"-set": []}, [], list(arguments)
-    while rest:
-        word = rest.pop(0)
-        if word in flags:
-            given[word] = True
-        elif word not in values:
-            if word.startswith("-"):
-                raise unknown("option", word, (*values, *flags, "-help"))
-            plain.append(word)
-        elif not rest or word == "-set" and "=" not in rest[0] and len(rest) < 2:
-            raise Refused(f"{word} lacks its value; see {command} -help")
-        elif word == "-set":
-            given[word].append(rest.pop(0).split("=", 1) if "=" in rest[0]
-                               else (rest.pop(0), rest.pop(0)))
-        else:
-            given[word] = rest.pop(0)
-    return given, plain
 
 
 def make_folder(folder):

@@ -10,8 +10,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt         # noqa: E402
 
-from .options import read_options       # noqa: E402
-from .study import Refused              # noqa: E402
+from suna.command import Refused, read_options      # noqa: E402
 
 HELP = """Usage: dem plot FOLDER/cost.csv
 
@@ -95,9 +94,6 @@ def plot(path):
 
 
 def main(arguments):
-    if arguments and arguments[0] in ("-help", "-h"):
-        print(HELP, end="")
-        return
     tables = read_options(arguments, "dem plot", ())[1]
     if len(tables) != 1:
         raise Refused("give one table; see dem plot -help")

@@ -19,8 +19,10 @@ import time
 import numpy
 
 from suna import Simulation, SunaError
+from suna.command import Refused
+
 from .closed_forms import closed_forms, find_impact, vector
-from .study import Level, Refused, Run, Series, Study
+from .study import Level, Run, Series, Study
 
 UNITS = {"kinetic": "J", "rotation": "J", "height": "m", "overlap": "1", "force": "N",
          "contacts": "1", "restitution": "1"}

@@ -18,10 +18,6 @@ import numpy
 from . import refinement
 
 
-class Refused(Exception):
-    """What cannot be studied: the sentence."""
-
-
 @dataclass
 class Run:
     steps: int

@@ -21,7 +21,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
 
-from .study import Level, Refused, Run, Series, Study
+from suna.command import Refused
+
+from .study import Level, Run, Series, Study
 
 WORDS = {"title": 2, "window": 2, "target": 2, "closed": 3, "series": 5, "level": 5, "run": 3,
          "value": 5, "failed": 2}

@@ -14,8 +14,9 @@ import os
 import sys
 from pathlib import Path
 
+from suna.command import Refused
+
 from .best_buy import choose, percent
-from .study import Refused
 
 MAX_LEVELS = 16
 MORE_LEVELS = 3     # until scatter counts as chaos: that by the phase of an impact falls with the step

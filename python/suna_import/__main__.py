@@ -8,10 +8,9 @@ import os
 import sys
 from pathlib import Path
 
-from suna_cost.__main__ import command
-from suna_cost.options import read_options
-from suna_cost.study import Refused
 from suna import SunaError
+from suna.command import Refused, command, read_options
+
 from .liggghts import Translation
 from .liggghts_particles import BadFile, is_data, is_dump, read_data, read_dump, write_table
 from .liggghts_scene import write_scenes
@@ -133,9 +132,6 @@ def sentences(path, report):
 
 
 def main(arguments):
-    if arguments and arguments[0] in ("-help", "-h"):
-        print(HELP, end="")
-        return
     path, given, variables = read_command(arguments)
     units = given.get("-units", "si")
     if units not in BASE:
@@ -159,4 +155,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(command(sys.argv[1:], "dem import", main))
+    sys.exit(command(sys.modules[__name__], "dem import", sys.argv[1:]))

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import math
 
 from suna import Simulation, SunaError
+
 from .liggghts_region import text
 from .scene_text import SceneText
 

@@ -20,7 +20,7 @@ import csv
 import textwrap
 from typing import NamedTuple
 
-from suna_cost.study import Refused
+from suna.command import Refused
 
 WIDTH = 100     # characters of a line
 
