@@ -9,7 +9,6 @@ over the same window of simulated time.
     study.py        series, levels and runs; errors of all quantities, processor times, Pareto front
     scene.py        the series of a scene of the program dem
     closed_forms.py head-on impact of two bodies
-    table.py        a study as a table of runs that another program made
     case.py, case_study.py, case_results.py     an OpenFOAM case, its series, results of a run
     case_command.py, __main__.py, options.py    the commands demCost and dem cost
     report.py       tables on the terminal, cost.csv, the picture

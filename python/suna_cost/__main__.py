@@ -13,7 +13,6 @@ from suna.command import Refused, command, read_options
 from .options import fraction, levels, make_folder, number, whole, words
 from .report import report
 from .scene import ON_REQUEST, SERIES, UNITS, Alone, SceneStudy, Together
-from .table import read_study
 from .target import run_scene, search, write_copy
 
 HELP = """Usage: dem cost [OPTION VALUE] ... [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE
@@ -47,10 +46,6 @@ with -target a scene.
                        default 0.0625,0.25,1,4,16
     -parcels LIST      levels, as multiples of parcels/ratio of the scene; default 3,2,1.5,1
     -folder NAME       default: the scene's name without its extension, and .cost
-
-    dem cost -judge TABLE FOLDER
-                       instead: errors, times and the best buy of a table of runs of any
-                       program (suna_cost/table.py has its format)
 
 For an OpenFOAM case: demCost -help.
 """
@@ -112,34 +107,25 @@ def finish_search(work, study, why):
 
 
 def main(arguments):
-    if arguments and arguments[0] == "-judge":
-        if len(arguments) != 3:
-            raise Refused("dem cost -judge takes a table and a folder; see dem cost -help")
-        study = read_study(arguments[1])
-        study.folder = arguments[2]
-        make_folder(study.folder)
-        study.evaluate()
-        report(study)
+    ranks = communicator()
+    scene, options, settings, restart = read_command(arguments)
+    if options.run and ranks.size > 1:
+        raise Refused("-run is for one rank; without it the choice is written, to be run on any "
+                      "number of ranks")
+    work = SceneStudy(scene, options, settings, restart, ranks)
+    work.choose_window()
+    if ranks.rank == 0:
+        make_folder(options.folder)
+    study = work.study()
+    study.folder = options.folder
+    if options.search:
+        why = search(work, study)
     else:
-        ranks = communicator()
-        scene, options, settings, restart = read_command(arguments)
-        if options.run and ranks.size > 1:
-            raise Refused("-run is for one rank; without it the choice is written, to be run on any "
-                          "number of ranks")
-        work = SceneStudy(scene, options, settings, restart, ranks)
-        work.choose_window()
-        if ranks.rank == 0:
-            make_folder(options.folder)
-        study = work.study()
-        study.folder = options.folder
+        study.evaluate()
+    if ranks.rank == 0:
+        report(study)
         if options.search:
-            why = search(work, study)
-        else:
-            study.evaluate()
-        if ranks.rank == 0:
-            report(study)
-            if options.search:
-                finish_search(work, study, why)
+            finish_search(work, study, why)
 
 
 if __name__ == "__main__":

@@ -84,6 +84,13 @@ def rows(study):
                        int(level.pareto)]
 
 
+def write_table(study, path):
+    with open(path, "w", newline="") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(COLUMNS)
+        out.writerows(rows(study))
+
+
 def report(study):
     """Print the tables and the best buy; write the folder."""
     print(study.title)
@@ -93,10 +100,7 @@ def report(study):
         print_series(study, series)
     print("best buy: " + best_buy(study))
     folder = Path(study.folder)
-    with open(folder/"cost.csv", "w", newline="") as file:
-        out = csv.writer(file, lineterminator="\n")
-        out.writerow(COLUMNS)
-        out.writerows(rows(study))
+    write_table(study, folder/"cost.csv")
     print(f"table: {study.folder}/cost.csv")
     try:
         from .plot import plot

@@ -119,8 +119,8 @@ class Study:
         found = self.collect(series, quantity)
         if not found:
             return
-        # the result at other stiffnesses differs from the scene's closed form; in a table the closed
-        # form is the exact value for all
+        # the result at other stiffnesses differs from the scene's closed form; of a case it is given as
+        # the exact value for all
         closed = self.closed.get(quantity) if series.exact or self.noun == "case" else None
         analysis = refinement.analyze([part for _, part in found], closed)
         scale = self.scale_of(quantity, analysis.reference)

@@ -1,4 +1,4 @@
-"""test_refinement.py -- evaluation of a refinement series. Prints TAP.
+"""test_study.py -- evaluation of a refinement series, and of a study of two. Prints TAP.
 
 - A smooth series returns the value, the order and the errors it was made from.
 - If the scatter is a property of the scene, the 95 % interval contains the true value in 95 of 100
@@ -7,12 +7,12 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-
 import numpy
 
-from tap import finish, run_tests
-
+from suna_cost.best_buy import best_buy
 from suna_cost.refinement import CLOSED, EXTRAPOLATED, STATISTICS, Level, analyze
+from suna_cost.study import Level as StudyLevel, Run, Series, Study
+from tap import finish, run_tests
 
 TRUTH, MANY = 3.0, 400
 
@@ -74,6 +74,24 @@ def diverging():
     assert found.reference == 0 and found.uncertainty >= 1 and numpy.isnan(found.order)
 
 
+def by_hand():
+    """a study of two series: order 2, limit 1, the best buy, and the error that no step removes"""
+    def series(name, exact, sizes, value, **more):
+        levels = [StudyLevel(f"{h:g}", h, 0.1*h if exact else 0.1, [Run(10, 8/h, {"drop": value(h)})])
+                  for h in sizes]
+        return Series(name, "by hand", exact=exact, levels=levels, base=sizes.index(1), **more)
+    interval = series("interval", True, [4, 2, 1, 0.5, 0.25], lambda h: 1 + 0.008*h*h, entry="deltaT")
+    mesh = series("mesh", False, [8, 4, 2, 1], lambda h: 1.01 + 0.1*h)
+    study = Study("case", "", 1.0, 0.01, {"drop": "Pa"}, series=[interval, mesh])
+    study.evaluate()
+    found = interval.analysis["drop"]
+    assert abs(found.order - 2) < 1e-4 and abs(found.reference - 1) < 1e-6
+    assert abs(interval.levels[0].error["drop"] - 0.128) < 1e-6
+    assert best_buy(study).startswith(
+        "the case as it is, step 0.1 s: drop, the worst, is within 0.8 %"), best_buy(study)
+    assert "no step removes the error of mesh: drop is 10 % off" in best_buy(study), best_buy(study)
+
+
 if __name__ == "__main__":
-    run_tests(smooth, scattered, chaotic, error_and_scatter, given, diverging)
+    run_tests(smooth, scattered, chaotic, error_and_scatter, given, diverging, by_hand)
     finish()
