@@ -1,5 +1,6 @@
 """suna_import -- `dem import`: input of other codes translated into scenes and cases of Suna.
 
+    scene_text.py   the text of a scene or of demProperties
     report.py       what was translated, approximated, left out as harmless; what cannot be
                     translated
     __main__.py     the command
@@ -16,7 +17,7 @@ LIGGGHTS:
     liggghts_region.py, liggghts_mesh.py         regions; triangles and tetrahedra of files
     liggghts_insertion.py, liggghts_packing.py   templates, distributions, packings and streams
     liggghts_particles.py, units.py              single particles, data files, dumps; units
-    liggghts_scene.py, scene_text.py             scenes from the stages
+    liggghts_scene.py                            scenes from the stages
     liggghts_scene_laws.py, liggghts_scene_walls.py, liggghts_scene_particles.py,
     liggghts_scene_time.py                       their sections
 
@@ -25,7 +26,7 @@ Coupled cases:
     cfdem.py, cfdem_models.py                    CFDEMcoupling
     dem_script.py, dem_walls.py                  its DEM script, its walls beside patches
     cloud.py, cloud_models.py, cloud_sizes.py, cloud_injection.py     OpenFOAM's clouds
-    coupled_case.py, dem_properties.py           the case that is written
+    coupled_case.py                              the case that is written
     foam_dictionary.py, mesh_patches.py          OpenFOAM's dictionaries and meshes
     mesh_surfaces.py                             distances of walls of triangles from patches
 

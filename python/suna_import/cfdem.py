@@ -15,7 +15,6 @@ import re
 
 from .cfdem_models import HEAT, add_equations, add_exchange, add_forces, add_kernel
 from .coupled_case import CoupledCase
-from .dem_properties import DemProperties
 from .dem_script import read_dem_script
 from .dem_walls import place_walls
 from .foam_dictionary import Dictionary, as_text, existing
@@ -74,7 +73,6 @@ class CfdemCase(CoupledCase):
         super().__init__(source/"CFD", target, report, prefix="CFD/")
         self.top = source
         self.coupling = self.read("constant/couplingProperties")
-        self.properties = DemProperties()
 
     def translate(self):
         self.read_solver()
@@ -105,9 +103,7 @@ class CfdemCase(CoupledCase):
         self.write_fluid()
         self.write_changes()
         settle = "demPimpleFoam -settle; " if self.dem.settle is not None else ""
-        self.write("constant/demProperties", self.properties.text(
-            f"Particles of {self.top.name} (CFDEMcoupling), translated by dem import.",
-            f"blockMesh; {settle}demPimpleFoam", self.report))
+        self.write_properties(f"{self.top.name} (CFDEMcoupling)", f"blockMesh; {settle}demPimpleFoam")
 
     # ---- couplingProperties ----------------------------------------------------------------------
 

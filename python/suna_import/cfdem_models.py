@@ -135,14 +135,14 @@ def weights(props, report):
     """Settings of a void fraction model."""
     for name in ("weight", "porosity", "scaleUpVol"):
         if name in props and props.number(name) != 1:
-            report.refuse(props.where(name), props.full(name), "particles that count with another "
-                          "volume than theirs; only 1 is known")
+            props.refuse(name, "particles that count with another volume than theirs; only 1 is "
+                         "known")
     if "volScale" in props:
-        report.refuse(props.where("volScale"), props.full("volScale"), "volumes scaled by type")
+        props.refuse("volScale", "volumes scaled by type")
     for name in ("maxCellsPerParticle", "interpolation", "verbose", "procBoundaryCorrection",
                  "cfdemUseOnly", "alphaMin", "weight", "porosity", "scaleUpVol"):
         props.find(name)
-    refuse_unread(props, report)
+    props.refuse_unread()
 
 
 def smooth(d, model, diameter, report):
@@ -154,24 +154,18 @@ def smooth(d, model, diameter, report):
     name = "smoothingLength" if model == "constDiffSmoothing" else "dSmoothingLength"
     length = props.number(name)
     if not diameter:
-        report.refuse(props.where(name), props.full(name),
-                      "the mean diameter is not known, so the width "
-                      "in diameters is not; write coupling { kernel diffusion; diameter; width; }")
+        props.refuse(name, "the mean diameter is not known, so the width in diameters is not; "
+                     "write coupling { kernel diffusion; diameter; width; }")
     width = 2*length/diameter
-    report.approximated(props.where(name), props.full(name) + f" {length:g}", f"width {width:.4g} "
-                        "diameters: a Gaussian of the same variance, which acts for forces and the "
-                        "fluid's values, too; there only the void fraction is smoothed")
+    props.approximated(name, f"width {width:.4g} diameters: a Gaussian of the same variance, which "
+                       "acts for forces and the fluid's values, too; there only the void fraction "
+                       "is smoothed", f"{length:g}")
     for old in ("lowerLimit", "upperLimit", "smoothingLengthReferenceField", "Csmoothing",
                 "verbose"):
         if props.find(old):
-            report.harmless(props.where(old), props.full(old), "smoothing keeps the total")
-    refuse_unread(props, report)
+            props.harmless(old, "smoothing keeps the total")
+    props.refuse_unread()
     return width
-
-
-def refuse_unread(d, report):
-    for entry in d.unread():
-        report.refuse(entry.place, d.full(entry.name), "the importer does not know this setting")
 
 
 # ---- forces --------------------------------------------------------------------------------------
@@ -217,8 +211,8 @@ def add_force(name, props, number, place, properties, report):
     if name == "virtualMassForce" and "Cadd" in props:
         effect = f"virtualMass {{ coefficient {props.number('Cadd'):.12g}; }}"
     if name == "MeiLift" and props.find("useSecondOrderTerms"):
-        report.approximated(props.where("useSecondOrderTerms"), props.full("useSecondOrderTerms"),
-                            "saffmanMei has Mei's correction of the first order alone")
+        props.approximated("useSecondOrderTerms", "saffmanMei has Mei's correction of the first "
+                           "order alone")
     if effect:
         properties.add("effects", effect, place)
     settings(props, report)

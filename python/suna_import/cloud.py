@@ -13,10 +13,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import re
 
 from .cloud_injection import add_injection
-from .cloud_models import (DRAG, FORCES, add_contacts, add_dispersion, add_forces, add_patches,
-                           refuse_unread)
+from .cloud_models import DRAG, FORCES, add_contacts, add_dispersion, add_forces, add_patches
 from .coupled_case import CoupledCase, FIELDS
-from .dem_properties import DemProperties
 from .foam_dictionary import Entry, existing, file_text
 from .mesh_patches import read_patches
 from .report import Place
@@ -67,7 +65,6 @@ class CloudCase(CoupledCase):
         self.file, self.positions = "constant/" + file, {}
         self.cloud = self.read(self.file)
         self.name = file.removesuffix("Properties")
-        self.properties = DemProperties()
 
     def translate(self):
         self.refuse_others()
@@ -96,11 +93,10 @@ class CloudCase(CoupledCase):
         sub = self.cloud.sub("subModels")
         for name in ("packingModel", "dampingModel", "isotropyModel"):
             if name in sub and sub.word(name) != "none":
-                self.report.refuse(sub.where(name),
-                                   f"{sub.full(name)} {sub.word(name)} (MP-PIC)", NOT_DEM)
+                sub.refuse(name, NOT_DEM, f"{sub.word(name)} (MP-PIC)")
         for name in ("compositionModel", "phaseChangeModel", "heatTransferModel"):
             if name in sub and sub.word(name) != "none":
-                self.report.refuse(sub.where(name), f"{sub.full(name)} {sub.word(name)}", REACTING)
+                sub.refuse(name, REACTING, sub.word(name))
 
     # ---- particles -------------------------------------------------------------------------------
 
@@ -141,8 +137,8 @@ class CloudCase(CoupledCase):
                           ("sourceTerms", "the exchange is implicit and keeps momentum"),
                           ("calcFrequency", ""), ("maxTrackTime", ""), ("averagingMethod", "")):
             if solution.find(name):
-                report.harmless(solution.where(name), solution.full(name), why)
-        refuse_unread(solution, report, deep=False)
+                solution.harmless(name, why)
+        solution.refuse_unread()
 
     def read_forces(self, sub):
         report, properties, forces = self.report, self.properties, sub.sub("particleForces")
@@ -181,7 +177,7 @@ class CloudCase(CoupledCase):
             add_injection(name, d, self, density, self.properties, report, self.cloud)
             if "positionsFile" in d:
                 self.position_files.append(d.word("positionsFile") + "*")
-        if "insert" not in self.properties.sections:
+        if not self.properties.sections["insert"]:
             self.properties.add("start", 'snapshot "settled.dem";', injections.place)
             report.approximated(injections.place, "subModels/injectionModels", "no injection: the "
                                 "particles are those of another run. Give its file "
@@ -198,9 +194,9 @@ class CloudCase(CoupledCase):
                               "coupling/minVoidFraction, one minus it")
         for name in ("parcelTypeId", "rhoMin", "minParcelMass", "constantVolume", "pMin"):
             if constants.find(name):
-                report.harmless(constants.where(name), constants.full(name))
+                constants.harmless(name)
         constants.find("alphaMax")
-        refuse_unread(constants, report)
+        constants.refuse_unread(deep=True)
 
     def name_the_rest(self, sub):
         """Submodels that are none, Coeffs of models that are not chosen, cloudFunctions."""
@@ -220,7 +216,7 @@ class CloudCase(CoupledCase):
                             "what Suna writes")
         for name in ("solution", "constantProperties", "subModels", "cloudFunctions"):
             self.cloud.find(name)
-        refuse_unread(self.cloud, report, deep=False)
+        self.cloud.refuse_unread()
 
     # ---- fluid -----------------------------------------------------------------------------------
 
@@ -325,6 +321,4 @@ class CloudCase(CoupledCase):
         for name, positions in self.positions.items():
             rows = "\n".join(f"    ({x:.17g} {y:.17g} {z:.17g})" for x, y, z in positions)
             (self.target/f"constant/{name}Positions").write_text(f"positions\n(\n{rows}\n);\n")
-        self.write("constant/demProperties", self.properties.text(
-            f"Particles of {self.source.name} ({self.file}), translated by dem import.",
-            self.command, self.report))
+        self.write_properties(f"{self.source.name} ({self.file})", self.command)

@@ -11,9 +11,10 @@ import re
 import numpy
 
 from . import cloud_sizes
-from .cloud_models import PARCELS, refuse_unread
+from .cloud_models import PARCELS
 from .foam_dictionary import existing, file_text
 from .report import Place
+from .scene_text import vector
 
 # ---- injection -----------------------------------------------------------------------------------
 
@@ -37,7 +38,7 @@ def parcels(d, report):
     if basis == "fixed":
         n = d.number("nParticle", 1.0)
         if n != 1:
-            report.refuse(d.where("nParticle"), d.full("nParticle") + f" {n:g}", PARCELS)
+            d.refuse("nParticle", PARCELS, f"{n:g}")
         report.translated(d.where("parcelBasisType"), d.full("parcelBasisType") + " fixed",
                           "each parcel is a particle")
         return False
@@ -78,19 +79,18 @@ def add_injection(name, d, case, density, properties, report, cloud):
     for old in ("massTotal", "SOI", "nParticle", "parcelBasisType", "ignoreOutOfBounds",
                 "minParticlesPerParcel", "selectionMethod", "sizeDistribution"):
         d.find(old)
-    refuse_unread(d, report, deep=False)
+    d.refuse_unread()
 
 
 def manual(name, d, case, properties, report, place, word):
     parcels(d, report)
     if d.number("SOI", 0.0) > 0:
-        report.refuse(d.where("SOI"), d.full("SOI"), "particles of a list are there from the "
-                      "start; let the run begin at this time")
+        d.refuse("SOI", "particles of a list are there from the start; let the run begin at this "
+                 "time")
     file = d.word("positionsFile")
     source = case.source/"constant"/file
     if existing(source) is None:
-        report.refuse(d.where("positionsFile"), d.full("positionsFile"),
-                      f"there is no file constant/{file}")
+        d.refuse("positionsFile", f"there is no file constant/{file}")
     positions = read_positions(source, Place(f"constant/{file}"), report)
     case.positions[name] = positions
     report.translated(place, word, f"insert/{name}, a list of {len(positions)} particles")
@@ -101,7 +101,7 @@ def manual(name, d, case, properties, report, place, word):
         size = "diameters (" + " ".join(f"{x:.9g}" for x in diameters) + ");"
     u = d.vector("U0", (0.0, 0.0, 0.0))
     properties.add("insert", f"{name} {{ type list; material particles; {size} velocity "
-                   f"({u[0]:g} {u[1]:g} {u[2]:g}); #include \"{name}Positions\" }}", place)
+                   f"{vector(u)}; #include \"{name}Positions\" }}", place)
 
 
 def rate(d, density, report):
@@ -114,10 +114,10 @@ def rate(d, density, report):
     if d.word("parcelBasisType", "mass") == "fixed":
         return f"rate {per_second:.12g};", "number"
     if not total > 0:
-        report.refuse(d.where("massTotal"), d.full("massTotal"), "must be above 0")
-    report.approximated(d.where("parcelBasisType"), d.full("parcelBasisType") + " " +
-                        d.word("parcelBasisType", "mass"), f"massRate {total/duration:.6g} kg/s of "
-                        f"single particles, where {per_second:g} parcels a second stood for them")
+        d.refuse("massTotal", "must be above 0")
+    d.approximated("parcelBasisType", f"massRate {total/duration:.6g} kg/s of single particles, "
+                   f"where {per_second:g} parcels a second stood for "
+                   "them", d.word("parcelBasisType", "mass"))
     return f"massRate {total/duration:.12g};", "volume" if by_mass else "number"
 
 
@@ -126,8 +126,8 @@ def profile(d, report, *names):
         tokens = d.tokens(word, None)
         if tokens is not None and tokens and tokens[0] != "constant" and not re.fullmatch(
                 r"[-+\d.eE]+", str(tokens[0])):
-            report.refuse(d.where(word), d.full(word), "changes in time; Suna's streams have "
-                          "constant rates: give the mean, or several injections")
+            d.refuse(word, "changes in time; Suna's streams have constant rates: give the mean, or "
+                     "several injections")
 
 
 def stream(name, d, density, properties, report, place, word, inlet):
@@ -136,8 +136,7 @@ def stream(name, d, density, properties, report, place, word, inlet):
     start = d.number("SOI", 0.0)
     u = d.vector("U0")
     properties.add("insert", f"{name} {{ type stream; material particles; {inlet} {amount} start "
-                   f"{start:g}; end {start + d.number('duration'):g};\n    velocity "
-                   f"({u[0]:g} {u[1]:g} {u[2]:g}); "
+                   f"{start:g}; end {start + d.number('duration'):g}; velocity {vector(u)}; "
                    f"{cloud_sizes.sizes(d.sub('sizeDistribution'), by, report)} }}", place)
     report.translated(place, word, f"insert/{name}, a stream")
 
@@ -157,13 +156,9 @@ def cone(name, d, density, properties, report, place, word):
         amount, by = rate(d, density, report)
         v = speed*math.cos(angle/2)*axis
         properties.add("insert", f"{name} {{ type stream; material particles; {amount} start "
-                                 f"{start:g}; "
-                       f"end {start + duration:g};\n    disc {{ centre ({at[0]:g} {at[1]:g} "
-                       f"{at[2]:g}); "
-                       f"normal ({axis[0]:g} {axis[1]:g} {axis[2]:g}); radius {biggest:g}; "
-                       f"}} velocity "
-                       f"({v[0]:g} {v[1]:g} {v[2]:g}); spread ({across[0]:g} {across[1]:g} "
-                       f"{across[2]:g}); {size.replace('by number', 'by ' + by)} }}", place)
+                       f"{start:g}; end {start + duration:g}; disc {{ centre {vector(at)}; normal "
+                       f"{vector(axis)}; radius {biggest:g}; }} velocity {vector(v)}; spread "
+                       f"{vector(across)}; {size.replace('by number', 'by ' + by)} }}", place)
         report.approximated(place, word, "a disc of one diameter for its point, velocities "
                             "uniform in a box for the cone, within its outer angle along the axes")
     for old in ("parcelsPerInjector", "thetaInner", "injectionMethod", "flowType"):
@@ -175,13 +170,13 @@ def zone(name, d, properties, report, place, word):
     size = d.sub("sizeDistribution")
     kind, inner = cloud_sizes.distribution(size, report)
     if kind != "fixedValue":
-        report.refuse(size.where("type"), size.full("type") + " " + kind, "in a zone the importer "
-                      "knows fixedValue, as it does not know the volume")
+        size.refuse("type", "in a zone the importer knows fixedValue, as it does not know the "
+                    "volume", kind)
     diameter, n = inner.number("value"), d.number("numberDensity")
     u = d.vector("U0", (0.0, 0.0, 0.0))
     properties.add("insert", f"{name} {{ type random; material particles; zone "
                              f"{d.word('cellZone')}; "
                    f"solidFraction {n*math.pi*diameter**3/6:.9g}; diameter {diameter:.12g}; "
-                   f"velocity ({u[0]:g} {u[1]:g} {u[2]:g}); }}", place)
+                   f"velocity {vector(u)}; }}", place)
     report.translated(place, word, f"insert/{name}: {n:g} particles per m3 of the zone as solid "
                                    "fraction")

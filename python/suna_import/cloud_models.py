@@ -70,7 +70,7 @@ def add_forces(forces, properties, report, given=()):
                 effect = f"virtualMass {{ coefficient {inner.number('Cvm'):.12g}; }}"
             for old in ("U", "alphac", "Cvm", "interpolate"):
                 inner.find(old)
-            refuse_unread(inner, report)
+            inner.refuse_unread(deep=True)
             if differs:
                 report.approximated(entry.place, word, f"{effect}: {differs}")
             else:
@@ -83,38 +83,26 @@ def add_forces(forces, properties, report, given=()):
     return names
 
 
-def refuse_unread(d, report, deep=True):
-    for entry in d.unread():
-        report.refuse(entry.place, d.full(entry.name), "the importer does not know this entry")
-    if deep:
-        for entry in d.entries:
-            if isinstance(entry.value, Dictionary):
-                refuse_unread(entry.value, report)
-
-
 # ---- contacts ------------------------------------------------------------------------------------
 
 def contact(d, report, what):
     """(restitution, friction, energy density) of the Coeffs of a pair or wall model."""
     b = d.number("b", 1.5)
     if b != 1.5:
-        report.refuse(d.where("b"), d.full("b"), f"{b:g} is no law of Hertz; Suna's hertz has 1.5")
-    report.translated(d.where("b"), d.full("b"), "effects/hertz")
+        d.refuse("b", f"{b:g} is no law of Hertz; Suna's hertz has 1.5")
+    d.translated("b", "effects/hertz")
     alpha, mu = d.number("alpha"), d.number("mu")
     e = restitution(alpha)
-    report.translated(d.where("alpha"), d.full("alpha"), f"restitution {e:.6g} {what}")
-    report.translated(d.where("mu"), d.full("mu"), f"mindlin/friction {what}")
+    d.translated("alpha", f"restitution {e:.6g} {what}")
+    d.translated("mu", f"mindlin/friction {what}")
     cohesion = d.number("cohesionEnergyDensity", 0.0)
     if cohesion:
-        report.translated(d.where("cohesionEnergyDensity"), d.full("cohesionEnergyDensity"),
-                          f"sjkr/energyDensity {what}")
+        d.translated("cohesionEnergyDensity", f"sjkr/energyDensity {what}")
     if "collisionResolutionSteps" in d:
-        report.harmless(d.where("collisionResolutionSteps"), d.full("collisionResolutionSteps") +
-                        f" {d.number('collisionResolutionSteps'):g}",
-                        "time/step auto: 20 steps in a contact")
+        d.harmless("collisionResolutionSteps", "time/step auto: 20 steps in a "
+                   "contact", f"{d.number('collisionResolutionSteps'):g}")
     if d.switch("useEquivalentSize", False):
-        report.refuse(d.where("useEquivalentSize"), d.full("useEquivalentSize"),
-                      PARCELS)
+        d.refuse("useEquivalentSize", PARCELS)
     d.find("volumeFactor")
     return e, mu, cohesion
 
@@ -131,23 +119,22 @@ def add_contacts(sub, constants, properties, report):
     the name None stands for all."""
     density = constants.number("rho0")
     for name in ("rho0", "youngsModulus", "poissonsRatio"):
-        report.translated(constants.where(name), constants.full(name), "materials/particles")
+        constants.translated(name, "materials/particles")
     add_material("particles", density, constants, properties, constants.where("rho0"))
     coeffs = sub.sub("pairCollisionCoeffs")
     for name in ("maxInteractionDistance", "writeReferredParticleCloud", "U"):
         if coeffs.find(name):
-            report.harmless(coeffs.where(name), coeffs.full(name), "neighbor lists tune themselves"
-                            if name == "maxInteractionDistance" else "")
+            coeffs.harmless(name,
+                            "neighbor lists tune themselves" if name == "maxInteractionDistance" else "")
     model = coeffs.word("pairModel")
     if model != "pairSpringSliderDashpot":
-        report.refuse(coeffs.where("pairModel"), coeffs.full("pairModel") + " " + model,
-                      "the importer knows pairSpringSliderDashpot")
+        coeffs.refuse("pairModel", "the importer knows pairSpringSliderDashpot", model)
     d = coeffs.sub(model + "Coeffs")
     e, mu, cohesion = contact(d, report, "of particles")
     report.approximated(coeffs.where("pairModel"), model, "hertz, dry, mindlin: its spring is set "
                         "to zero when a contact slips, that of mindlin stays at the limit, so "
                         "contacts that stick and slip in turn hold more")
-    refuse_unread(d, report)
+    d.refuse_unread(deep=True)
     walls = wall_models(coeffs, report)
     values = {name: contact(inner, report, f"on {name or 'walls'}")
               for name, inner in walls.items()}
@@ -168,7 +155,7 @@ def add_contacts(sub, constants, properties, report):
                        f"{e:.6g}; }} mindlin {{ friction {mu:.12g}; }} " +
                        (f"sjkr {{ energyDensity {energy:.12g}; }} " if cohesive else "") + "}",
                        inner.where("alpha"), inner.where("mu"))
-        refuse_unread(inner, report)
+        inner.refuse_unread(deep=True)
     return materials
 
 
@@ -179,16 +166,15 @@ def wall_models(coeffs, report):
     if model == "wallSpringSliderDashpot":
         return {None: d}
     if model != "wallLocalSpringSliderDashpot":
-        report.refuse(coeffs.where("wallModel"), coeffs.full("wallModel") + " " + model,
-                      "the importer knows wallSpringSliderDashpot and wallLocalSpringSliderDashpot")
+        coeffs.refuse("wallModel", "the importer knows wallSpringSliderDashpot and "
+                      "wallLocalSpringSliderDashpot", model)
     if d.switch("useEquivalentSize", False):
-        report.refuse(d.where("useEquivalentSize"), d.full("useEquivalentSize"), PARCELS)
+        d.refuse("useEquivalentSize", PARCELS)
     steps = d.number("collisionResolutionSteps", 0.0)
     if steps:
-        report.harmless(d.where("collisionResolutionSteps"), d.full("collisionResolutionSteps"),
-                        "time/step auto: 20 steps in a contact")
+        d.harmless("collisionResolutionSteps", "time/step auto: 20 steps in a contact")
     walls = dict(d.subs())
-    refuse_unread(d, report, deep=False)
+    d.refuse_unread()
     return walls
 
 
@@ -239,9 +225,8 @@ def add_patches(patches, walls, sub, properties, report, place):
         for old in ("e", "mu") if d is not None else ():
             if old in d:
                 d.find(old)
-                report.harmless(d.where(old), f"{d.full(old)} of {patch.name}", "wall contacts are "
-                                "those of the wall model, here as there: centres never reach the "
-                                "face")
+                d.harmless(old, "wall contacts are those of the wall model, here as there: centres "
+                           "never reach the face", f"of {patch.name}")
         if patch.type == "wall":
             material = next((word for name, word in walls.items() if name and (
                 re.fullmatch(name, patch.name) if isinstance(name, Text) else name == patch.name)),

@@ -58,8 +58,7 @@ def density(kind, d):
         rows = numpy.array([d.numbers("distribution", row, 2, "pair of numbers")
                             for row in d.list("distribution")])
         if len(rows) < 2:
-            d.report.refuse(d.where("distribution"), d.full("distribution"),
-                            "has two rows or more")
+            d.refuse("distribution", "has two rows or more")
         low, high = rows[0, 0], rows[-1, 0]
         def value(x):
             return numpy.interp(x, rows[:, 0], rows[:, 1])
@@ -105,7 +104,7 @@ def classes(kind, d, report, place, word, count=CLASSES):
                       "tables; give its classes as type general")
     value, low, high = found
     if not numpy.isfinite(high) or not high > low:
-        report.refuse(d.where("maxValue"), d.full("maxValue"), "is not above minValue")
+        d.refuse("maxValue", "is not above minValue")
     x, below = cumulative(value, low, high)
     return numpy.interp((numpy.arange(count) + 0.5)/count, below, x)
 

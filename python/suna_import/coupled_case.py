@@ -15,6 +15,7 @@ import shutil
 
 from .foam_dictionary import Dictionary, Entry, as_text, existing, file_text, read_dictionary
 from .report import CannotTranslate, Place
+from .scene_text import SceneText
 
 FIXED_VELOCITY = ("fixedValue", "uniformFixedValue", "flowRateInletVelocity", "codedFixedValue",
                   "surfaceNormalFixedValue", "timeVaryingMappedFixedValue",
@@ -70,6 +71,7 @@ class CoupledCase:
         self.control = self.read("system/controlDict")
         self.start = self.start_folder()
         self.changes = {}           # file: lines that are added to it
+        self.properties = SceneText()
 
     def make(self):
         """The case, or nothing where it cannot be translated."""
@@ -143,6 +145,11 @@ class CoupledCase:
     def write(self, name, text, kind="dictionary"):
         path = self.target/name
         path.write_text(header(kind, path.name) + text)
+
+    def write_properties(self, source, command):
+        self.write("constant/demProperties", self.properties.text(
+            [f"// Particles of {source}, translated by dem import.", f"// To run: {command}",
+             *self.report.comment()]))
 
     def write_field(self, name, field, comments=()):
         kind, dimensions = FIELDS[name]

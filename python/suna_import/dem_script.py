@@ -19,9 +19,8 @@ from .liggghts import Translation
 from .liggghts_contact import Need, laws
 from .liggghts_insertion import group_entries, stream_entries
 from .liggghts_particles import write_table
-from .liggghts_region import text, vector
 from .report import HARMLESS, REFUSED, TRANSLATED, Place
-from .scene_text import as_name
+from .scene_text import as_name, text, vector
 from .units import BASE, Units
 
 PRIMITIVES = {"plane": 1, "cylinder": 3}

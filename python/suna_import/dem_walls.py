@@ -22,8 +22,9 @@ from typing import NamedTuple
 
 import numpy
 
-from .mesh_patches import COUPLED, on_plane, range_along, range_around, size
+from .mesh_patches import COUPLED, farthest_from, on_plane, range_along, size
 from .mesh_surfaces import distance, samples, triangles_of
+from .scene_text import vector
 
 TOLERANCE = 1e-3        # of the mesh's size: planes and cylinders
 NEAR = 0.1              # of a diameter: triangles, whose round faces have other corners
@@ -85,14 +86,13 @@ def place_walls(walls, patches, particles, material, properties, report, place):
 
 def entry(wall, centre, material):
     """Entries of the wall."""
-    point = " ".join(f"{x:.12g}" for x in wall.point)
+    point = vector(wall.point)
     if wall.kind == "cylinder":
-        axis = " ".join(f"{x:g}" for x in wall.axis)
-        return (f"type cylinder; material {material}; point ({point}); axis ({axis}); "
+        return (f"type cylinder; material {material}; point {point}; axis {vector(wall.axis)}; "
                 f"radius {wall.radius:.12g}; particles inside;")
     side = numpy.sign(numpy.dot(wall.axis, numpy.subtract(centre, wall.point))) or 1.0
-    normal = " ".join(f"{int(side)*x:g}" for x in wall.axis)
-    return f"type plane; material {material}; point ({point}); normal ({normal});"
+    normal = vector(side*x for x in wall.axis)
+    return f"type plane; material {material}; point {point}; normal {normal};"
 
 
 def plane(wall, patches, become, tolerance, report):
@@ -125,7 +125,7 @@ def plane(wall, patches, become, tolerance, report):
 
 def cylinder(wall, patches, become, tolerance, report):
     point, axis = numpy.array(wall.point), numpy.array(wall.axis, float)
-    least, most = range_around(patches, point, axis/numpy.linalg.norm(axis))
+    most = farthest_from(patches, point, axis/numpy.linalg.norm(axis))
     if most <= wall.radius + tolerance:
         report.approximated(wall.place, wall.name,
                             f"left out: its radius is {wall.radius:.6g} m, and the "

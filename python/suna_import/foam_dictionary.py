@@ -102,8 +102,29 @@ class Dictionary:
     def unread(self):
         return [entry for entry in self.entries if not entry.read]
 
-    def full(self, name):
-        return f"{self.path}/{name}" if self.path else name
+    # ---- what becomes of an entry, or of its value -----------------------------------------------
+
+    def translated(self, name, text="", value=""):
+        self.report.translated(self.where(name), self.full(name, value), text)
+
+    def approximated(self, name, text, value=""):
+        self.report.approximated(self.where(name), self.full(name, value), text)
+
+    def harmless(self, name, text="", value=""):
+        self.report.harmless(self.where(name), self.full(name, value), text)
+
+    def refuse(self, name, text, value=""):
+        self.report.refuse(self.where(name), self.full(name, value), text)
+
+    def refuse_unread(self, deep=False):
+        for entry in self.entries:
+            if not entry.read:
+                self.refuse(entry.name, "the importer does not know this entry")
+            if deep and isinstance(entry.value, Dictionary):
+                entry.value.refuse_unread(deep)
+
+    def full(self, name, value=""):
+        return (f"{self.path}/{name}" if self.path else name) + (f" {value}" if value else "")
 
     # ---- values ----------------------------------------------------------------------------------
 
@@ -122,7 +143,7 @@ class Dictionary:
         if tokens is None or not tokens or not isinstance(tokens[-1], str):
             if default:
                 return default[0]
-            self.report.refuse(self.where(name), self.full(name), "has no word as its value")
+            self.refuse(name, "has no word as its value")
         return str(tokens[-1])
 
     def number(self, name, *default):
@@ -133,7 +154,7 @@ class Dictionary:
     def positive(self, name, *default):
         value = self.number(name, *default)
         if value is not None and value <= 0:
-            self.report.refuse(self.where(name), self.full(name), f"{value:g} is not above 0")
+            self.refuse(name, f"{value:g} is not above 0")
         return value
 
     def numbers(self, name, tokens, many=None, what="list of numbers"):
@@ -143,16 +164,15 @@ class Dictionary:
         except (ValueError, TypeError):
             found = [math.nan]
         if len(found) != (many or len(found)) or not all(map(math.isfinite, found)):
-            self.report.refuse(self.where(name), self.full(name),
-                               f"{as_text(tokens)[:60]!r} is no {what}; write one")
+            self.refuse(name, f"{as_text(tokens)[:60]!r} is no {what}; write one")
         return found
 
     def indices(self, name, tokens, below):
         """Whole numbers from 0."""
         found = self.numbers(name, tokens)
         if not all(x == int(x) and 0 <= x < below for x in found):
-            self.report.refuse(self.where(name), self.full(name), f"{as_text(tokens)!r} are not "
-                               f"numbers of points from 0 to {below - 1}")
+            self.refuse(name, f"{as_text(tokens)!r} are not numbers of points from 0 to "
+                        f"{below - 1}")
         return [int(x) for x in found]
 
     def vector(self, name, *default):
@@ -171,8 +191,7 @@ class Dictionary:
             return True
         if str(tokens[0]).lower() in NO:
             return False
-        self.report.refuse(self.where(name), self.full(name),
-                           f"{as_text(tokens)!r} is neither yes nor no")
+        self.refuse(name, f"{as_text(tokens)!r} is neither yes nor no")
 
     def list(self, name, *default):
         """The last list of the value: words, lists, Dictionaries."""
@@ -180,7 +199,7 @@ class Dictionary:
             return default[0]
         lists = [token for token in self.tokens(name) if isinstance(token, list)]
         if not lists:
-            self.report.refuse(self.where(name), self.full(name), "has no list as its value")
+            self.refuse(name, "has no list as its value")
         return lists[-1]
 
     def sub(self, name):

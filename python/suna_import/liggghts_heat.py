@@ -1,4 +1,5 @@
-"""liggghts_heat.py -- heat of LIGGGHTS: `fix heat/gran` as the effect conduction.
+"""liggghts_heat.py -- heat of LIGGGHTS: `fix heat/from .scene_text import text
+gran` as the effect conduction.
 
     LIGGGHTS    H = 2 k sqrt(A),    A = pi R* d (2 + O(d/R)): circle in which the surfaces overlap
     Suna        H = 2 k a,          a = c sqrt(R* d): contact of Hertz
@@ -20,7 +21,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import math
 from dataclasses import dataclass
 
-from .liggghts_region import text
+from .scene_text import text
+
 
 FACTOR = math.sqrt(2*math.pi)
 AREA = "Suna's area of a contact follows from the overlap; known: overlap"

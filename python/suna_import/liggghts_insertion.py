@@ -25,7 +25,7 @@ from dataclasses import dataclass, field
 import numpy
 
 from .liggghts_packing import SAFE, count_placed
-from .liggghts_region import text, vector
+from .scene_text import text, vector
 
 BINS = 20               # of a continuous distribution in a mixture
 TRIALS = 400            # of a sphere that the importer places

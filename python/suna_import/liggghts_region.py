@@ -10,16 +10,10 @@ import math
 
 import numpy
 
+from .scene_text import text, vector
+
 AXES = {"x": 0, "y": 1, "z": 2}
 SAMPLES = 200000        # of the volume of a shape without a formula
-
-
-def text(value):
-    return f"{value + 0.0:.12g}"
-
-
-def vector(values):
-    return "(" + " ".join(text(x) for x in values) + ")"
 
 
 class Region:

@@ -15,14 +15,13 @@ import os
 
 import numpy
 
-from .liggghts_region import text, vector
 from .liggghts_scene_laws import Laws
 from .liggghts_scene_particles import Groups
 from .liggghts_scene_time import Times
 from .liggghts_scene_walls import Walls
 from .liggghts_state import key
 from .report import CannotTranslate
-from .scene_text import Names, SceneText, as_name
+from .scene_text import Names, SceneText, as_name, text, vector
 
 
 # ---- stages of one scene -----------------------------------------------

@@ -5,8 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from . import liggghts_heat
 from .liggghts_contact import Need, laws
-from .liggghts_region import text, vector
-from .scene_text import braces
+from .scene_text import braces, text, vector
 
 
 class Laws:

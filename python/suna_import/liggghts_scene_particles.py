@@ -10,7 +10,8 @@ import numpy
 from .liggghts_insertion import NOW, group_entries, scatter, stream_entries
 from .liggghts_mesh import write_stl
 from .liggghts_particles import write_table
-from .liggghts_region import Region, text, vector
+from .liggghts_region import Region
+from .scene_text import text, vector
 
 LIST = 20               # particles that are written in the scene; more go to a table
 

@@ -6,8 +6,7 @@ import math
 
 from suna import Simulation, SunaError
 
-from .liggghts_region import text
-from .scene_text import SceneText
+from .scene_text import SceneText, text
 
 
 class Times:

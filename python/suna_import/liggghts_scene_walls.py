@@ -10,8 +10,8 @@ import numpy
 from .liggghts_contact import fits
 from .liggghts_heat import AREA
 from .liggghts_mesh import write_stl
-from .liggghts_region import AXES, text, vector
-from .scene_text import as_name
+from .liggghts_region import AXES
+from .scene_text import as_name, text, vector
 
 SIDES = 96              # of a cone
 

@@ -18,7 +18,6 @@ from .report import Place
 
 # of constraint types, on which particles need neither wall nor outlet
 COUPLED = ("cyclic", "cyclicAMI", "cyclicACMI", "cyclicSlip", "processor")
-PLANES = ("symmetry", "symmetryPlane")
 
 
 class Patch(NamedTuple):
@@ -177,13 +176,7 @@ def range_along(patches, point, normal):
     return min(x.min() for x in distances), max(x.max() for x in distances)
 
 
-def range_around(patches, point, axis):
-    """Least and largest distance of the corners of walls from the axis."""
-    least, most = numpy.inf, 0.0
-    for patch in patches.values():
-        if patch.faces:
-            r = numpy.linalg.norm(numpy.cross(patch.points - point, axis), axis=1)
-            most = max(most, r.max())
-            if patch.type == "wall":
-                least = min(least, r.min())
-    return least, most
+def farthest_from(patches, point, axis):
+    """Largest distance of the corners from the axis."""
+    return max(numpy.linalg.norm(numpy.cross(patch.points - point, axis), axis=1).max()
+               for patch in patches.values() if patch.faces)

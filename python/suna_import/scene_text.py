@@ -1,11 +1,11 @@
-"""scene_text.py -- the text of a scene: sections, entries with the line that they come from, words.
+"""scene_text.py -- the text of a scene or of constant/demProperties: sections, entries with the line that
+they come from, words.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import re
 import textwrap
 
-from .liggghts_region import text
 from .report import WIDTH
 
 
@@ -26,19 +26,20 @@ class Names:
 
 
 class SceneText:
-    """Sections in the order of the manual, each entry with the line that it comes from."""
-    ORDER = ("materials", "effects", "pairs", "walls", "domain", "insert", "outlets", "forces",
-             "fluid", "time", "write")
+    """Sections in the order of the manual, each entry with the lines that it comes from."""
+    ORDER = ("materials", "effects", "pairs", "walls", "domain", "insert", "start", "outlets", "forces",
+             "fluid", "time", "coupling", "write")
 
     def __init__(self):
         self.sections, self.names = {name: [] for name in self.ORDER}, Names()
 
-    def add(self, section, entry, place=None):
-        self.sections[section].append((entry, "" if place is None else f"// {place}"))
+    def add(self, section, entry, *places):
+        where = ", ".join(dict.fromkeys(str(place) for place in places if place is not None))
+        self.sections[section].append((entry, f"// {where}" if where else ""))
 
-    def named(self, section, name, body, place=None):
+    def named(self, section, name, body, *places):
         """NAME { body }, under a name of its own."""
-        self.add(section, f"{self.names.free(section, name)} {{ {body} }}", place)
+        self.add(section, f"{self.names.free(section, name)} {{ {body} }}", *places)
 
     def text(self, head):
         lines = list(head) + [""]
@@ -55,6 +56,14 @@ class SceneText:
                     lines.append(f"    {entry:{wide}}  {comment}".rstrip())
             lines.append("}")
         return "\n".join(lines) + "\n"
+
+
+def text(value):
+    return f"{value + 0.0:.12g}"
+
+
+def vector(values):
+    return "(" + " ".join(text(x) for x in values) + ")"
 
 
 def broken(entry):
