@@ -18,9 +18,9 @@ from .dem_walls import Wall
 from .liggghts import Translation
 from .liggghts_contact import Need, laws
 from .liggghts_insertion import group_entries, stream_entries
-from .liggghts_particles import write_table
+from .liggghts_particles import single_particles
 from .report import HARMLESS, REFUSED, TRANSLATED, Place
-from .scene_text import as_name, text, vector
+from .scene_text import as_name, braces, text
 from .units import BASE, Units
 
 PRIMITIVES = {"plane": 1, "cylinder": 3}
@@ -36,7 +36,6 @@ DECIDED = {"timestep": (HARMLESS, "time/step auto: 1/20 of the contact time"),
            "fix couple/cfd/force": (HARMLESS, "the exchange is implicit"),
            "fix couple/cfd/force/implicit": (HARMLESS, "the exchange is implicit"),
            "fix couple/cfd/force/accumulator": (HARMLESS, "the exchange is implicit")}
-FEW = 50        # particles that are written as a list
 
 
 def read_dem_script(path, top, report):
@@ -119,7 +118,7 @@ class DemScript:
                         "walls of coupled cases have the laws of the particles")
         if wall.meshes:
             return [self.mesh(self.state["meshes"][name]) for name in wall.meshes]
-        if wall.velocity or wall.rotation:
+        if wall.velocity:
             self.refuse(wall.place, "fix wall/gran shear",
                         "write surfaceVelocity of the patch under walls")
         axis, shape = wall.primitive[:1], wall.primitive[1:]
@@ -180,9 +179,7 @@ class DemScript:
             self.refuse(model.place, f"property/global {error}", error.why)
         if "hertz" in found and self.t.speed != 1:
             found["hertz"].setdefault("impactSpeed", self.t.speed)      # its default is 1 m/s
-        return {name: f"{name} {{ " + "".join(
-            f"{key} {value if isinstance(value, str) else text(value)}; " for key, value in
-            settings.items()) + "}" for name, settings in found.items()}
+        return {name: braces(name, settings) for name, settings in found.items()}
 
     def add_laws(self, properties):
         given, model = self.state["properties"], self.place(self.state["model"].place)
@@ -251,15 +248,11 @@ class DemScript:
         p, still = self.state["particles"], " frozen yes;" if frozen else ""
         for kind in sorted(set(p.type.tolist())):
             of = p.type == kind
-            name, head = f"placed{kind}", f"material {self.material(kind)};{still}"
-            if of.sum() <= FEW and not p.v[of].any() and not p.w[of].any():
-                entry = (f"type list; {head} positions ({' '.join(vector(x) for x in p.x[of])}); "
-                         f"diameters ({' '.join(text(d) for d in p.diameter[of])});")
-            else:
-                write_table(folder/f"constant/{name}.csv", p.x[of], p.diameter[of], p.v[of],
-                            p.w[of], p.id[of])
-                entry = f'type table; {head} file "constant/{name}.csv";'
-            properties.named("insert", name, entry, self.place(p.place))
+            name = f"placed{kind}"
+            table = f"constant/{name}.csv"
+            entries = single_particles(self.material(kind), folder/table, table, p.x[of], p.diameter[of],
+                                       p.v[of], p.w[of], p.id[of])
+            properties.named("insert", name, entries + still, self.place(p.place))
 
     def amounts(self):
         """(mean cube of the diameter, number, centre) of each group."""

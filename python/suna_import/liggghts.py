@@ -67,8 +67,7 @@ HARMLESS = {
     "special_bonds": "",
     "write_dump": "output",
     "hardware": "",
-    "timers": "",
-    "variable": ""}
+    "timers": ""}
 LACKING = {
     "displace_atoms": "write the positions",
     "delete_atoms": "outlets take particles away during a run, and "

@@ -100,9 +100,6 @@ class Distribution:
     def largest(self):
         return max(t.range()[1] for t in self.templates)
 
-    def smallest(self):
-        return min(t.range()[0] for t in self.templates)
-
     def sizes(self):
         """Entries of a group."""
         if all(t.style == "constant" for t in self.templates):

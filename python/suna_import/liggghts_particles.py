@@ -12,9 +12,11 @@ import re
 import numpy
 
 from .liggghts_words import MOST, NUMBER
+from .scene_text import text, vector
 
 GRANULAR = ("id", "type", "diameter", "density", "x", "y", "z")     # a row of section Atoms
 NUMBERS = (*GRANULAR, "xu", "yu", "zu", "vx", "vy", "vz", "omegax", "omegay", "omegaz", "radius")
+LIST = 20               # particles that are written in the scene; more go to a table
 LARGEST = 1e100         # of a number, in any unit
 COLUMNS = ("x", "y", "z", "diameter", "vx", "vy", "vz", "wx", "wy", "wz", "id")
 
@@ -52,10 +54,6 @@ class Particles:
             setattr(self, name, numpy.concatenate([old, new]))
         self.place = self.place or place
 
-    def keep(self, which):
-        for name in ("id", "type", "x", "v", "w", "diameter", "density", "temperature"):
-            setattr(self, name, getattr(self, name)[which])
-
 
 def write_table(path, x, diameter, v, w, id, temperature=None):
     columns = numpy.column_stack([x, diameter, v, w])
@@ -67,6 +65,23 @@ def write_table(path, x, diameter, v, w, id, temperature=None):
         file.write(",".join(names) + "\n")
         for row, number in zip(columns, id):
             file.write(",".join(f"{value:.12g}" for value in row) + f",{int(number)}\n")
+
+
+def single_particles(material, path, name, x, diameter, v, w, id, temperature=None):
+    """Entries of a group in the scene: a list, or of many a table in this file, which the scene calls
+    `name`."""
+    if len(x) > LIST:
+        write_table(path, x, diameter, v, w, id, temperature)
+        return f'type table; material {material}; file "{name}";'
+    columns = [("positions", map(vector, x)), ("diameters", map(text, diameter)), ("ids", map(str, id))]
+    if v.any():
+        columns.append(("velocities", map(vector, v)))
+    if w.any():
+        columns.append(("spins", map(vector, w)))
+    if temperature is not None:
+        columns.append(("temperatures", map(text, temperature)))
+    return f"type list; material {material}; " + " ".join(
+        f"{name} ({' '.join(values)});" for name, values in columns)
 
 
 def is_data(path):

@@ -9,11 +9,9 @@ import numpy
 
 from .liggghts_insertion import NOW, group_entries, scatter, stream_entries
 from .liggghts_mesh import write_stl
-from .liggghts_particles import write_table
+from .liggghts_particles import single_particles
 from .liggghts_region import Region
-from .scene_text import text, vector
-
-LIST = 20               # particles that are written in the scene; more go to a table
+from .scene_text import text
 
 
 class Groups:
@@ -69,19 +67,8 @@ class Groups:
         return None if heat is None else numpy.where(own > 0, own, heat.temperature)
 
     def write_particles(self, name, x, d, v, w, id, material, more, place, temperature=None):
-        if len(x) > LIST:
-            path = self.new_file(name + ".csv")
-            write_table(path, x, d, v, w, id, temperature)
-            body = f'type table; material {material}; file "{os.path.relpath(path)}";'
-        else:
-            body = f"type list; material {material}; positions ({' '.join(map(vector, x))}); " \
-                f"diameters ({' '.join(map(text, d))}); ids ({' '.join(map(str, id))});"
-            if v.any():
-                body += f" velocities ({' '.join(map(vector, v))});"
-            if w.any():
-                body += f" spins ({' '.join(map(vector, w))});"
-            if temperature is not None:
-                body += f" temperatures ({' '.join(map(text, temperature))});"
+        path = self.new_file(name + ".csv")
+        body = single_particles(material, path, os.path.relpath(path), x, d, v, w, id, temperature)
         self.scene.named("insert", name, body + more, place)
 
     def add_packing(self, i):

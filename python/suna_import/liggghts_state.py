@@ -23,7 +23,6 @@ class Wall:
     numbers: tuple = ()
     meshes: tuple = ()
     velocity: tuple = ()            # shear: of the surface
-    rotation: float = 0.0           # shear of a cylinder about its axis
     temperature: float = 0.0        # K; 0: none
     area: str = "overlap"           # of a contact that conducts
 
