@@ -90,7 +90,7 @@ class Messages:
 
     def __init__(self):
         text = ""
-        for folder in ("dem", "coupling", "solvers", "tests", "tutorials"):
+        for folder in ("dem", "coupling", "solvers", "python", "tests", "tutorials"):
             for path, names, files in os.walk(os.path.join(ROOT, folder)):
                 names[:] = [n for n in names if n not in ("build", "lnInclude", "stored", "beds", "manual")]
                 for name in files:
