@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demWalls.C -- pass wall patches and surface files to the core as triangles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -15,8 +13,6 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "triSurface.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -127,8 +123,6 @@ static void addWall
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 // Processor patches come last, so all ranks reach the collective calls for the other
 // patches in the same order
 bool Foam::demWalls::isWall(const polyPatch& patch) const
@@ -199,16 +193,12 @@ void Foam::demWalls::move(::dem* d)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
     dict_(dict)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::demWalls::add(::dem* d)
 {
@@ -260,5 +250,3 @@ Foam::label Foam::demWalls::add(::dem* d)
 
     return walls;
 }
-
-// ************************************************************************* //

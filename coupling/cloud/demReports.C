@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demReports.C -- log, tables and files of a run with particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demReports.H"
 #include "demCheck.H"
 #include "demInteger.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demReports::reportStep(const struct ::dem_totals& before)
 {
@@ -67,8 +63,6 @@ void Foam::demReports::writeMeans() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demReports::demReports(demParticles& particles, const demVoidFraction& volume)
 :
     particles_(particles),
@@ -82,8 +76,6 @@ Foam::demReports::demReports(demParticles& particles, const demVoidFraction& vol
     edits_(particles.mesh().time(), particles.dict().file())
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demReports::begin()
 {
@@ -121,5 +113,3 @@ void Foam::demReports::write()
     flowTable_.report(particles_.core(), true, particles_.time());
     writeMeans();
 }
-
-// ************************************************************************* //

@@ -23,7 +23,7 @@
 #include "particles/orientation.h"
 #include "ranks/collect.h"
 #include "step/body_window.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
 #include <math.h>
@@ -460,7 +460,7 @@ int dem_api_setup(struct dem *d)
         DEM_TRY(dem_api_agree(d, begin_energy_balance(d)));
     }
     /* drag laws of the interrupted window take the fluid columns as loaded */
-    if (d->state.half_step_ahead)
+    if (d->state.window.half_step_ahead)
     {
         dem_bodies_window_constants(&d->state.particles, &d->state.interaction_table.bodies);
     }

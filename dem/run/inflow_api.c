@@ -101,7 +101,7 @@ int dem_flow_apply(struct dem *d, int *changed)
 
     DEM_REQUIRE(d->is_set_up && d->flow_on_request, DEM_ERROR_STATE, "dem_flow_apply comes after "
                 "dem_setup, and dem_flow_on_request before it");
-    DEM_REQUIRE(!d->state.half_step_ahead, DEM_ERROR_STATE,
+    DEM_REQUIRE(!d->state.window.half_step_ahead, DEM_ERROR_STATE,
                 "dem_flow_apply comes between two advances");
     DEM_TRY(dem_api_require_sound(d, "dem_flow_apply"));
     feholdexcept(&caller);
