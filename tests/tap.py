@@ -1,7 +1,8 @@
 """tap.py -- claims of a test in Python, printed as TAP.
 
     from tap import claim, finish, run_tests, skip
-    claim("the mass is conserved", abs(error) < 1e-12, f"error {error}")    the note is for failures
+    claim("the mass is conserved", abs(error) < 1e-12, f"error {error}")    notes are for failures
+    claim("the table is there", lambda: read(table))    one that raises an exception fails alone
     skip("two ranks", "no mpi4py")
     run_tests(bounce, friction) functions whose docstrings name them; one fails that raises
     finish()                    prints the plan and ends the program; status 1 if a claim has failed
@@ -16,15 +17,23 @@ import traceback
 claims = failures = 0
 
 
-def claim(name, condition, note=""):
-    """Prints "ok" or "not ok" and then the note, a text or a list of lines; returns the condition."""
+def claim(name, condition, *notes):
+    """Prints "ok" when the condition, or what it returns, is true; else "not ok" and the notes, texts or lists of
+    lines. A condition that raises an exception is false. Returns the condition."""
     global claims, failures
     claims += 1
+    if callable(condition):
+        try:
+            condition = condition()
+        except Exception:       # noqa: B902
+            condition = False
+            notes += (traceback.format_exc(),)
     failures += not condition
     print(f"{'ok' if condition else 'not ok'} {claims} - {name}")
     if not condition:
-        for line in note.splitlines() if isinstance(note, str) else note:
-            print(f"#   {line}")
+        for note in notes:
+            for line in note if isinstance(note, list) else str(note).splitlines():
+                print(f"#   {line}")
     sys.stdout.flush()
     return bool(condition)
 
