@@ -8,6 +8,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demInletsOutlets.H"
+#include "dem_fluid.h"
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demPassable.H"
@@ -127,7 +128,12 @@ void Foam::demInletsOutlets::gather()
 }
 
 
-void Foam::demInletsOutlets::setPatches(::dem* d, const volVectorField* U) const
+template<class Give>
+void Foam::demInletsOutlets::givePatches
+(
+    const Give& give,
+    const volVectorField* U
+) const
 {
     for (const label patchi : inlets_)
     {
@@ -149,9 +155,8 @@ void Foam::demInletsOutlets::setPatches(::dem* d, const volVectorField* U) const
 
         demCheck
         (
-            dem_flow_patch
+            give
             (
-                d,
                 mesh_.boundaryMesh()[patchi].name().c_str(),
                 face.size(),
                 reinterpret_cast<const double*>(points.cdata()),
@@ -224,10 +229,17 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demInletsOutlets::add(::dem* d)
+void Foam::demInletsOutlets::add(::dem_case* c)
 {
-    demCheck(dem_flow_on_request(d));
-    setPatches(d, nullptr);
+    demCheck(dem_case_flows_on_request(c));
+    givePatches
+    (
+        [c](const char* name, const label n, const double* points, const double* U)
+        {
+            return dem_case_add_patch(c, name, n, points, U);
+        },
+        nullptr
+    );
 }
 
 
@@ -239,7 +251,14 @@ bool Foam::demInletsOutlets::pass(::dem* d, const volVectorField& U)
     {
         gather();
     }
-    setPatches(d, &U);
+    givePatches
+    (
+        [d](const char* name, const label n, const double* points, const double* U)
+        {
+            return dem_flow_patch(d, name, n, points, U);
+        },
+        &U
+    );
 
     forAll(outgoingId_, k)
     {

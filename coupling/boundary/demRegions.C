@@ -135,7 +135,7 @@ Foam::List<double> Foam::demRegions::surface(const bitSet& inside) const
 
 void Foam::demRegions::add
 (
-    ::dem* d,
+    ::dem_case* c,
     const word& name,
     const bool zone,
     const bitSet& inside
@@ -145,9 +145,9 @@ void Foam::demRegions::add
 
     demCheck
     (
-        dem_insert_region
+        dem_case_add_region
         (
-            d,
+            c,
             name.c_str(),
             zone,
             corners.size()/9,
@@ -168,7 +168,7 @@ Foam::demRegions::demRegions(const polyMesh& mesh, const demDict& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::demRegions::add(::dem* d) const
+void Foam::demRegions::add(::dem_case* c) const
 {
     wordHashSet added;
     bool whole = false;
@@ -189,12 +189,12 @@ void Foam::demRegions::add(::dem* d) const
         }
         if (mesh && !whole)
         {
-            add(d, "mesh", false, bitSet(mesh_.nCells(), true));
+            add(c, "mesh", false, bitSet(mesh_.nCells(), true));
             whole = true;
         }
         if (!zone.empty() && added.insert(zone))
         {
-            add(d, zone, true, cells(zone, group));
+            add(c, zone, true, cells(zone, group));
         }
     }
 }

@@ -8,6 +8,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDict.H"
+#include "dem_plan.h"
 #include "demCheck.H"
 #include "demDomain.H"
 #include "emptyPolyPatch.H"
