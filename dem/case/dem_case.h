@@ -72,4 +72,14 @@ int dem_api_join_initial(struct dem_case *);
 void dem_api_init_fluid(struct dem *);
 int dem_api_begin_flows(struct dem_case *);
 
+/* Refuse overlaps at the start: of all particles, with the lists of the first step; of those from the
+   state of another run with walls; of those inserted at a restart. */
+int dem_api_refuse_overlap(struct dem *);
+int dem_api_check_start(struct dem_case *);
+int dem_api_check_inserted(struct dem_case *);
+
+/* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
+   put back, so that the run goes on with the same bits. */
+int dem_api_with_lists(struct dem *, int (*look)(struct dem *));
+
 #endif

@@ -106,46 +106,6 @@ static int prepare_physics(struct dem_case *c)
     return dem_wall_search_prepare(&p->pairs.wall_search, &p->walls, radius > 0.0 ? radius : 1.0);
 }
 
-/* A larger overlap at the start is an error in the input, not a contact. `flags`: of particles with one
-   of them only; 0: of all. */
-static int refuse_overlap(struct dem_state *p, double limit, unsigned flags)
-{
-    struct dem_overlap pair, wall;
-
-    dem_totals_max_overlap(p, flags, &pair, &wall);
-    DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
-                DEM_ERROR_INPUT,
-                "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
-                "start, the limit is %g; move it, or raise time/maxStartOverlap",
-                (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
-                p->walls.wall[wall.partner].name, wall.fraction, limit);
-    DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,
-                "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
-                "start, the limit is %g; move them apart, or raise time/maxStartOverlap",
-                (long long)pair.id, (long long)pair.partner, pair.x[0], pair.x[1], pair.x[2],
-                pair.fraction, limit);
-    return DEM_OK;
-}
-
-/* A snapshot that was made in other walls may overlap the walls of this run. A soft bed that
-   has settled in the same walls overlaps them too, but not more than its particles overlap each
-   other; in a state in motion it may be twice as much. */
-static int refuse_other_walls(const struct dem_case *c)
-{
-    const struct dem *const d = c->d;
-    const struct dem_overlap *const wall = &d->start_wall, *const pair = &d->start_pair;
-    const double limit = fmax(d->scene.max_start_overlap, 2.0*pair->fraction);
-
-    DEM_REQUIRE(wall->fraction <= limit, DEM_ERROR_INPUT,
-                "%s: particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
-                "start, the limit is %.3g; the snapshot was made in other walls: settle the "
-                "particles in the walls of this run (in an OpenFOAM case: demPimpleFoam -settle) "
-                "and start from that snapshot",
-                c->load_path, (long long)wall->id, wall->x[0], wall->x[1], wall->x[2],
-                d->state.walls.wall[wall->partner].name, wall->fraction, limit);
-    return DEM_OK;
-}
-
 static int read_contacts(struct dem_case *c)
 {
     struct dem_state *const p = &c->d->state;
@@ -180,7 +140,7 @@ static int distribute(struct dem_case *c)
     }
     DEM_TRY(dem_neighbor_rebuild(p));
     p->stale = 1;
-    DEM_TRY(dem_collect_agree(&p->decomposition, refuse_overlap(p, d->scene.max_start_overlap, 0)));
+    DEM_TRY(dem_collect_agree(&p->decomposition, dem_api_refuse_overlap(d)));
     DEM_TRY(dem_bond_pairs_mark(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_bond_energies(&p->particles, &p->contacts);
@@ -202,44 +162,6 @@ static int begin_energy(struct dem *d)
     return status;
 }
 
-static int measure_overlap(struct dem *d)
-{
-    return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
-}
-
-/* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
-   put back, so that the run goes on with the same bits. */
-static int with_lists(struct dem *d, int (*look)(struct dem *))
-{
-    struct dem_state *const p = &d->state;
-    const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
-    const size_t losses = p->lost_particles->n, broke = p->bonds->n;
-    struct dem_backup backup = {.valid = 0};
-
-    dem_flows_backup(p->flows);
-    int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts,
-                                                  p->pairs.wall_facet));
-
-    status = status ? status : dem_neighbor_rebuild(p);
-    status = status ? status : look(d);
-    status = dem_collect_agree(&p->decomposition, status);
-    if (status)
-    {
-        dem_backup_free(&backup);
-        return status;
-    }
-    status = dem_backup_restore(&backup, &p->particles, &p->contacts);
-    dem_backup_free(&backup);
-    p->stale = 2;
-    p->limits.overlap = 0.0;
-    dem_flows_restore(p->flows);
-    p->lost_particles->n = losses;
-    p->bonds->n = broke;
-    p->rebuilds = rebuilds;
-    p->prunes = prunes;
-    return status;
-}
-
 /* The energy that contacts hold at the start. Without a snapshot the first sweep has measured
    it. With one, the contacts are swept once on a backup. */
 static int begin_energy_balance(struct dem_case *c)
@@ -252,40 +174,7 @@ static int begin_energy_balance(struct dem_case *c)
         dem_energy_balance_begin(&d->state);
         return DEM_OK;
     }
-    return with_lists(d, begin_energy);
-}
-
-static int refuse_new_overlap(struct dem *d)
-{
-    return refuse_overlap(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
-}
-
-/* Particles that are inserted at a restart. */
-static int check_inserted(struct dem_case *c)
-{
-    struct dem_particles *const p = &c->d->state.particles;
-
-    if (!c->inserts || !c->load_path[0])
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(with_lists(c->d, refuse_new_overlap));
-    for (size_t i = 0; i < p->n; i++)
-    {
-        p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;
-    }
-    return DEM_OK;
-}
-
-/* Particles of the scene's entry `start`, or of dem_case_start_from. */
-static int check_start(struct dem_case *c)
-{
-    if (!c->new_run || c->d->state.walls.walls == 0)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(with_lists(c->d, measure_overlap));
-    return refuse_other_walls(c);
+    return dem_api_with_lists(d, begin_energy);
 }
 
 /* Sums of the averages when the snapshot was written. The snapshot of the scene's entry `start`
@@ -349,8 +238,8 @@ static int place_particles(struct dem_case *c)
     }
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
     DEM_TRY(dem_api_agree(d, distribute(c)));
-    DEM_TRY(dem_api_agree(d, check_start(c)));
-    return dem_api_agree(d, check_inserted(c));
+    DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));
+    return dem_api_agree(d, dem_api_check_inserted(c));
 }
 
 static int set_up(struct dem_case *c)
