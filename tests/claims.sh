@@ -1,4 +1,4 @@
-# claims.sh -- conditions for claims, shared by tap.sh and coupled/tap. A missing file fulfils none
+# claims.sh -- conditions for claims, shared by tap.sh and soak/tap. A missing file fulfils none
 # of them.
 #
 #   differs A B         both files exist, are not empty, and differ

@@ -2,8 +2,6 @@
     demInletsOutlets.C -- inlet and outlet patches of particles, and the void fraction near
     them.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -14,41 +12,6 @@
 #include "demPassable.H"
 #include "OSspecific.H"
 #include "Time.H"
-#include "triPointRef.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-// Triangles of the faces of a patch, three points each; face: face of each triangle
-static pointField trianglesOf(const polyPatch& patch, labelList& face)
-{
-    DynamicList<::Foam::face> split(2*patch.size());
-    DynamicList<label> of(2*patch.size());
-
-    forAll(patch, i)
-    {
-        patch[i].triangles(patch.points(), split);
-        while (of.size() < split.size())
-        {
-            of.append(i);
-        }
-    }
-
-    pointField points(3*split.size());
-    forAll(points, k)
-    {
-        points[k] = patch.points()[split[k/3][k%3]];
-    }
-    face.transfer(of);
-    return points;
-}
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelList Foam::demInletsOutlets::patches
 (
@@ -104,30 +67,6 @@ Foam::labelList Foam::demInletsOutlets::patches
 }
 
 
-// Patches are small, so each rank holds all triangles
-void Foam::demInletsOutlets::gather()
-{
-    triangles_.setSize(passages_.size());
-    bounds_.setSize(passages_.size());
-    forAll(passages_, k)
-    {
-        labelList face;
-        List<pointField> perRank(Pstream::nProcs());
-        perRank[Pstream::myProcNo()] =
-            trianglesOf(mesh_.boundaryMesh()[passages_[k]], face);
-        Pstream::gatherList(perRank);
-        demBroadcast(perRank);
-
-        triangles_[k].clear();
-        for (const pointField& points : perRank)
-        {
-            triangles_[k].append(points);
-        }
-        bounds_[k] = treeBoundBox(triangles_[k]);
-    }
-}
-
-
 template<class Give>
 void Foam::demInletsOutlets::givePatches
 (
@@ -138,10 +77,7 @@ void Foam::demInletsOutlets::givePatches
     for (const label patchi : inlets_)
     {
         labelList face;
-        const pointField points
-        (
-            trianglesOf(mesh_.boundaryMesh()[patchi], face)
-        );
+        const pointField points(demPatchTriangles::of(mesh_.boundaryMesh()[patchi], face));
         List<double> velocity(3*face.size(), Zero);
 
         for (label k = 0; U && k < face.size(); k++)
@@ -196,8 +132,6 @@ bool Foam::demInletsOutlets::withoutPatch(const dictionary& groups, const bool s
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
@@ -223,11 +157,9 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
     {
         isWall_[patch.index()] = dict.isWall(patch);
     }
-    gather();
+    triangles_.gather(mesh, passages_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demInletsOutlets::add(::dem_case* c)
 {
@@ -249,7 +181,7 @@ bool Foam::demInletsOutlets::pass(::dem* d, const volVectorField& U)
 
     if (mesh_.moving() && active())
     {
-        gather();
+        triangles_.gather(mesh_, passages_);
     }
     givePatches
     (
@@ -283,15 +215,13 @@ Foam::List<Foam::demParticleRouting::verdict> Foam::demInletsOutlets::judge
 {
     // Any rank may own the faces
     const label self = Pstream::myProcNo();
-    List<pointField> lines(Pstream::nProcs());
-    lines[self].setSize(2*particles.size());
+    pointField own(2*particles.size());
     forAll(particles, k)
     {
-        lines[self][2*k] = from[k];
-        lines[self][2*k + 1] = position(view, particles[k]);
+        own[2*k] = from[k];
+        own[2*k + 1] = position(view, particles[k]);
     }
-    Pstream::gatherList(lines);
-    demBroadcast(lines);
+    const List<pointField> lines(demGather(own));
 
     label first = 0, n = 0;
     forAll(lines, rank)
@@ -356,42 +286,10 @@ Foam::labelList Foam::demInletsOutlets::reduceVolumes
     scalarField& volume
 ) const
 {
-    labelList passage(volume.size(), -1);
-    scalarField distance(volume.size(), 1);
-    boolList beyond(volume.size(), false);
-
-    forAll(triangles_, k)
-    {
-        forAll(volume, i)
-        {
-            const scalar d = 2*(*dem_at(view.radius, view.stride, size_t(i)));
-            const point x(position(view, i));
-
-            if
-            (
-                magSqr(max(min(x, bounds_[k].max()), bounds_[k].min()) - x) >= sqr(d)
-            )
-            {
-                continue;
-            }
-            for (label t = 0; t < triangles_[k].size(); t += 3)
-            {
-                const pointField& p = triangles_[k];
-                const scalar h =
-                    triPointRef(p[t], p[t + 1], p[t + 2]).nearestPoint(x)
-                   .distance();
-
-                if (h < distance[i]*d)
-                {
-                    // Outside: on the normal of the nearest triangle, not beside it
-                    const vector n((p[t + 1] - p[t]) ^ (p[t + 2] - p[t]));
-                    beyond[i] = (n & (x - p[t])) > 0.9*h*mag(n);
-                    distance[i] = h/d;
-                    passage[i] = k;
-                }
-            }
-        }
-    }
+    labelList passage;
+    scalarField distance;
+    boolList beyond;
+    triangles_.distances(view, passage, distance, beyond);
 
     // A particle that has passed an outlet displaces no fluid, at any distance
     forAll(outgoingId_, k)
@@ -420,13 +318,11 @@ Foam::label Foam::demInletsOutlets::inletWithin(const point& x, const scalar rea
     label nearest = -1;
     scalar distance = reach;
 
-    forAll(triangles_, k)
+    forAll(passages_, k)
     {
-        const pointField& p = triangles_[k];
-        for (label t = 0; inlets_.found(passages_[k]) && t < p.size(); t += 3)
+        if (inlets_.found(passages_[k]))
         {
-            const scalar h =
-                triPointRef(p[t], p[t + 1], p[t + 2]).nearestPoint(x).distance();
+            const scalar h = triangles_.distance(k, x);
             if (h <= distance)
             {
                 distance = h;
@@ -436,5 +332,3 @@ Foam::label Foam::demInletsOutlets::inletWithin(const point& x, const scalar rea
     }
     return nearest;
 }
-
-// ************************************************************************* //

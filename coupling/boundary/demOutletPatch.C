@@ -2,8 +2,6 @@
     demOutletPatch.C -- nearest boundary patch on a line and the boundary face nearest
     to a point, over all ranks.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -31,9 +29,17 @@ namespace Foam
             x = y < x ? y : x;
         }
     };
+
+
+    // The result of op over all ranks, on all ranks. Collective.
+    template<class Type, class Op>
+    static void combine(List<Type>& values, const Op& op)
+    {
+        Pstream::listCombineGather(values, op);
+        demBroadcast(values);
+    }
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::demOutletPatch::distanceTo
 (
@@ -94,14 +100,12 @@ Foam::labelList Foam::demOutletPatch::nearest
     }
 
     const scalarList own(distance);
-    Pstream::listCombineGather(distance, minEqOp<scalar>());
-    demBroadcast(distance);
+    combine(distance, minEqOp<scalar>());
     forAll(code, k)
     {
         code[k] = own[k] <= distance[k] ? code[k] : -1;
     }
-    Pstream::listCombineGather(code, maxEqOp<label>());
-    demBroadcast(code);
+    combine(code, maxEqOp<label>());
     return code;
 }
 
@@ -183,8 +187,7 @@ void Foam::demOutletPatch::firstFaces
     }
 
     List<demFaceKey> firstKeys(keys);
-    Pstream::listCombineGather(firstKeys, demFirstKey());
-    demBroadcast(firstKeys);
+    combine(firstKeys, demFirstKey());
 
     // two ranks have equal keys only if two cells coincide
     ranks.setSize(centres.size());
@@ -193,16 +196,13 @@ void Foam::demOutletPatch::firstFaces
         const bool isFirst = faces[k] >= 0 && !(firstKeys[k] < keys[k]);
         ranks[k] = isFirst ? Pstream::myProcNo() : labelMax;
     }
-    Pstream::listCombineGather(ranks, minEqOp<label>());
-    demBroadcast(ranks);
+    combine(ranks, minEqOp<label>());
     forAll(faces, k)
     {
         faces[k] = ranks[k] == Pstream::myProcNo() ? faces[k] : -1;
     }
 }
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh, const labelUList& first)
 :
@@ -251,8 +251,6 @@ Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh, const labelUList& first
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::List<Foam::string> Foam::demOutletPatch::describe
 (
@@ -313,8 +311,7 @@ Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
             distance[2*k + 1] = mag(hit.hitPoint() - to[k]);
         }
     }
-    Pstream::listCombineGather(distance, minEqOp<scalar>());
-    demBroadcast(distance);
+    combine(distance, minEqOp<scalar>());
 
     // faces that touch the ball around where the line leaves the mesh, or around the point
     pointField centres(2*n);
@@ -348,12 +345,9 @@ Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
             warped[k/2] = warp(face[k]);
         }
     }
-    Pstream::listCombineGather(patch, maxEqOp<label>());
-    demBroadcast(patch);
-    Pstream::listCombineGather(cell, maxEqOp<label>());
-    demBroadcast(cell);
-    Pstream::listCombineGather(warped, maxEqOp<scalar>());
-    demBroadcast(warped);
+    combine(patch, maxEqOp<label>());
+    combine(cell, maxEqOp<label>());
+    combine(warped, maxEqOp<scalar>());
 
     List<boundaryPoint> points(n);
     forAll(points, k)
@@ -365,5 +359,3 @@ Foam::List<Foam::demOutletPatch::boundaryPoint> Foam::demOutletPatch::relate
     }
     return points;
 }
-
-// ************************************************************************* //

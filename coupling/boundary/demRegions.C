@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demRegions.C -- surfaces of the mesh and of its zones, for the groups of insert.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -13,8 +11,6 @@
 #include "DynamicList.H"
 #include "processorCyclicPolyPatch.H"
 #include "syncTools.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -51,8 +47,6 @@ static void appendFan
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::bitSet Foam::demRegions::cells
 (
@@ -157,16 +151,12 @@ void Foam::demRegions::add
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demRegions::demRegions(const polyMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
     dict_(dict)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demRegions::add(::dem_case* c) const
 {
@@ -198,5 +188,3 @@ void Foam::demRegions::add(::dem_case* c) const
         }
     }
 }
-
-// ************************************************************************* //

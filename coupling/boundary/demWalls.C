@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demWalls.C -- pass wall patches and surface files to the core as triangles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -16,8 +14,6 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "triSurface.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -128,8 +124,6 @@ static void addWall
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 // Processor patches come last, so all ranks reach the collective calls for the other
 // patches in the same order
 bool Foam::demWalls::isWall(const polyPatch& patch) const
@@ -192,16 +186,12 @@ void Foam::demWalls::movePatches(const Move& move)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
 :
     mesh_(mesh),
     dict_(dict)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::demWalls::add(::dem_case* c)
 {
@@ -271,5 +261,3 @@ void Foam::demWalls::move(::dem* d)
         }
     );
 }
-
-// ************************************************************************* //

@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demCloud.C -- particles coupled with the fluid of a mesh: the order of a step.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demColumns.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // The particles' part of evolve()
 void Foam::demCloud::advance
@@ -56,6 +52,24 @@ void Foam::demCloud::advance
 }
 
 
+// False if fluid and particles exert no forces on each other
+bool Foam::demCloud::correctParticles(const volVectorField& U, const volVectorField& gradP)
+{
+    exchange_.updateAcceleration(U);
+
+    if (!particles_.react())
+    {
+        return false;
+    }
+    profile_.end(demProfile::FLUID);
+
+    const volVectorField onFluid(exchange_.onFluid(U, gradP));
+    budget_.addExchange(U, onFluid);
+    attempt([&] { exchange_.correct(U, gradP, onFluid); });
+    return true;
+}
+
+
 void Foam::demCloud::reportMomentum(const vector& ofMesh, const vector& moreOwed)
 {
     struct dem_totals now;
@@ -70,24 +84,7 @@ void Foam::demCloud::reportMomentum(const vector& ofMesh, const vector& moreOwed
         << " owed " << owed << " sum " << fluid + particles + owed << " N s" << endl;
 
     budget_.setMomentum(fluid, particles, owed);
-}
-
-
-void Foam::demCloud::returnToParticles
-(
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volVectorField& onFluid
-)
-{
-    try
-    {
-        exchange_.correct(U, gradP, onFluid);
-    }
-    catch (const demFailure& failure)
-    {
-        fail(failure.what());
-    }
+    profile_.end(demProfile::CORRECT);
 }
 
 
@@ -106,7 +103,18 @@ void Foam::demCloud::fail(const string& sentence)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+void Foam::demCloud::attempt(const std::function<void()>& part)
+{
+    try
+    {
+        part();
+    }
+    catch (const demFailure& failure)
+    {
+        fail(failure.what());
+    }
+}
+
 
 Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 :
@@ -134,15 +142,11 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 
     volume_.note(particles_.heading());
     exchange_.note(particles_.heading());
-    try
+    attempt([this]
     {
         particles_.locateInserted();
         volume_.begin();
-    }
-    catch (const demFailure& failure)
-    {
-        fail(failure.what());
-    }
+    });
     reports_.updateFields();
     profile_.end(demProfile::START);
 }
@@ -165,8 +169,6 @@ Foam::demCloud::~demCloud()
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::demCloud::evolve
 (
     const volVectorField& U,
@@ -180,14 +182,7 @@ void Foam::demCloud::evolve
     particles_.beginStep();
     lastGood_.backup();
 
-    try
-    {
-        advance(U, gradP, rho, mu);
-    }
-    catch (const demFailure& failure)
-    {
-        fail(failure.what());
-    }
+    attempt([&] { advance(U, gradP, rho, mu); });
 
     reports_.endStep();
     particles_.refresh();
@@ -201,16 +196,8 @@ void Foam::demCloud::evolve
 
 void Foam::demCloud::correct(const volVectorField& U, const volVectorField& gradP)
 {
-    exchange_.updateAcceleration(U);
-
-    if (particles_.react())
+    if (correctParticles(U, gradP))
     {
-        profile_.end(demProfile::FLUID);
-
-        const volVectorField onFluid(exchange_.onFluid(U, gradP));
-        budget_.addExchange(U, onFluid);
-        returnToParticles(U, gradP, onFluid);
-
         const vector impulse(exchange_.pressureImpulse(gradP));
         budget_.addPressureImpulse(impulse);
 
@@ -221,27 +208,17 @@ void Foam::demCloud::correct(const volVectorField& U, const volVectorField& grad
             particles_.fluidDensity()*gSum((mesh_.V().field()*e*u)()),
             exchange_.owedPressureImpulse(impulse)
         );
-        profile_.end(demProfile::CORRECT);
     }
 }
 
 
 void Foam::demCloud::correct(const volVectorField& U, const volScalarField& rho)
 {
-    exchange_.updateAcceleration(U);
-
-    if (particles_.react())
+    if (correctParticles(U, exchange_.pressureGradient()))
     {
-        profile_.end(demProfile::FLUID);
-
-        const volVectorField onFluid(exchange_.onFluid(U, exchange_.pressureGradient()));
-        budget_.addExchange(U, onFluid);
-        returnToParticles(U, exchange_.pressureGradient(), onFluid);
-
         const vectorField& u = U;
         const scalarField& density = rho;
         reportMomentum(gSum((mesh_.V().field()*density*u)()), vector::zero);
-        profile_.end(demProfile::CORRECT);
     }
 }
 
@@ -253,14 +230,7 @@ void Foam::demCloud::correctHeat
     const UList<demHeatExchange::contribution>& received
 )
 {
-    try
-    {
-        heat_().correct(temperature, ofFluid, received);
-    }
-    catch (const demFailure& failure)
-    {
-        fail(failure.what());
-    }
+    attempt([&] { heat_().correct(temperature, ofFluid, received); });
 }
 
 
@@ -316,5 +286,3 @@ void Foam::demCloud::write()
     reports_.write();
     profile_.end(demProfile::OUTPUT);
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demLastGood.C -- keeps the last good state, written if the particles fail.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -12,8 +10,6 @@
 #include "StringStream.H"
 #include "Time.H"
 #include "fileOperation.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Restore the core's backup, of this time [s], and write it to a file (unless its
 // name is empty). False, and the reason, when that fails. Collective.
@@ -95,8 +91,6 @@ Foam::string Foam::demLastGood::writeAll(const std::function<void()>& write)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demLastGood::demLastGood(demParticles& particles, const bool particlesFirst)
 :
     particles_(particles),
@@ -105,8 +99,6 @@ Foam::demLastGood::demLastGood(demParticles& particles, const bool particlesFirs
     steps_(-1)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 // A backup takes as long as half a DEM step. Once in 25 DEM steps it costs 2 % at
 // most, even where fluid steps are as short as DEM steps.
@@ -140,5 +132,3 @@ Foam::string Foam::demLastGood::save(const std::function<void()>& write)
       ? writeAll(write)
       : writeParticles();
 }
-
-// ************************************************************************* //

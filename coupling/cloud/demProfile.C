@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demProfile.C -- clock and processor time of the phases of a coupled step.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -12,8 +10,6 @@
 #include "messageStream.H"
 #include <cstdio>
 #include <ctime>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -46,8 +42,6 @@ static scalarField means(const scalar* values)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demProfile::demProfile()
 :
     last_(clock::now()),
@@ -60,8 +54,6 @@ Foam::demProfile::demProfile()
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demProfile::end(const phase which)
 {
@@ -131,5 +123,3 @@ void Foam::demProfile::report() const
     }
     Info<< endl;
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demReports.C -- log, tables and files of a run with particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "dem_plan.h"
 #include "demCheck.H"
 #include "demInteger.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demReports::reportStep(const struct ::dem_totals& before)
 {
@@ -68,8 +64,6 @@ void Foam::demReports::writeMeans() const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demReports::demReports(demParticles& particles, const demVoidFraction& volume)
 :
     particles_(particles),
@@ -83,8 +77,6 @@ Foam::demReports::demReports(demParticles& particles, const demVoidFraction& vol
     edits_(particles.mesh().time(), particles.dict().file())
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demReports::begin()
 {
@@ -122,5 +114,3 @@ void Foam::demReports::write()
     flowTable_.report(particles_.core(), true, particles_.time());
     writeMeans();
 }
-
-// ************************************************************************* //

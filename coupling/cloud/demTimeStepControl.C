@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demTimeStepControl.C -- criteria of the time step, and which one limits it.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -27,15 +25,9 @@ Foam::demTimeStepControl::demTimeStepControl(const Time& time, demCloud& cloud)
 {}
 
 
-Foam::scalar Foam::demTimeStepControl::particleLimit(const Time& time)
-{
-    return time.controlDict().getOrDefault<scalar>("maxParticleCo", 0.5);
-}
-
-
 void Foam::demTimeStepControl::read(const scalar maxCo)
 {
-    const scalar defaultLimit[nCriteria] = {maxCo, particleLimit(time_), 0.1, 0};
+    const scalar defaultLimit[nCriteria] = {maxCo, cloud_.particles().maxCo(), 0.1, 0};
 
     limit_[FLUID] = maxCo;
     for (label k = PARTICLES; k < nCriteria; ++k)
@@ -131,6 +123,3 @@ Foam::scalar Foam::demTimeStepControl::limitRatio() const
     const label tightest = limiting();
     return value_[tightest]/limit_[tightest];
 }
-
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demStop.C -- signals, and a file, that end a coupled run with its state written;
     one run at a time in a case.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -11,8 +9,6 @@
 #include "demCheck.H"
 #include "debug.H"
 #include "PstreamReduceOps.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -36,8 +32,6 @@ static fileName stopFile(const Time& time)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demStop::demStop(const Time& time)
 :
@@ -80,8 +74,6 @@ Foam::demStop::~demStop()
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::demStop::look(const Time& time)
 {
     if (Pstream::master())
@@ -110,5 +102,3 @@ bool Foam::demStop::atStepEnd(const Time& time)
         << " latestTime in system/controlDict continues" << nl << endl;
     return true;
 }
-
-// ************************************************************************* //

@@ -1,12 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demDriver.C -- runs a demCloud in a solver that has no equations for particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demDriver.H"
+#include "demFiles.H"
+#include "demMeshCheck.H"
 #include "fvcSurfaceIntegrate.H"
 #include "surfaceFields.H"
 #include "Time.H"
@@ -16,28 +16,20 @@ namespace Foam
     defineTypeNameAndDebug(demDriver, 0);
 }
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 
 // A relaxed field is written, so that a restart continues with it
 static IOobject relaxedField(const fvMesh& mesh, const word& name, const bool written)
 {
-    return IOobject
-    (
-        name,
-        mesh.time().timeName(),
-        mesh,
-        written ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
-        written ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
-    );
+    return
+        written
+      ? demFieldAt(mesh, name, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE)
+      : demFieldAt(mesh, name);
 }
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Walls that move while the particles stand still would pass through them
 void Foam::demDriver::refuseLateStart() const
@@ -135,7 +127,7 @@ void Foam::demDriver::step()
     // OpenFOAM does not notify function objects of mesh changes before timeStart
     if (mesh_.topoChanging() || mesh_.nCells() != cells_)
     {
-        refuseTopologyChange();
+        demMeshCheck::refuseTopologyChange();
     }
     if (lastStep_ < 0 && mesh_.moving())
     {
@@ -176,8 +168,6 @@ Foam::vector Foam::demDriver::total
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demDriver::demDriver(const fvMesh& mesh)
 :
     regIOobject
@@ -193,7 +183,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     ),
     mesh_(mesh),
     cloud_(mesh, false),
-    fluid_(mesh, cloud_),
+    fluid_(mesh, cloud_.particles().dict()),
     stepControl_(mesh.time(), cloud_),
     steady_(demFluid::steady(mesh)),
     cells_(mesh.nCells()),
@@ -227,8 +217,6 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 Foam::demDriver& Foam::demDriver::of(const fvMesh& mesh, const word& source)
 {
     const demDriver* found = mesh.findObject<demDriver>(typeName);
@@ -243,16 +231,6 @@ Foam::demDriver& Foam::demDriver::of(const fvMesh& mesh, const word& source)
             << exit(FatalError);
     }
     return const_cast<demDriver&>(*found);
-}
-
-
-void Foam::demDriver::refuseTopologyChange() const
-{
-    FatalErrorInFunction
-        << "The mesh changes its topology, but cells and walls of the particles"
-        << " are those of the mesh at the start: it may move, but not be refined"
-        << " or cut anew; take another dynamicFvMesh in"
-        << " constant/dynamicMeshDict, or leave the particles out" << exit(FatalError);
 }
 
 
@@ -351,5 +329,3 @@ void Foam::demDriver::endStep()
         step();
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demEnergySource.C -- the heat of the particles as an fvOption.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -20,8 +18,6 @@ namespace fv
 }
 }
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::fv::demEnergySource::demEnergySource
 (
     const word& name,
@@ -35,8 +31,6 @@ Foam::fv::demEnergySource::demEnergySource
     read(dict);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::fv::demEnergySource::read(const dictionary& dict)
 {
@@ -74,5 +68,3 @@ void Foam::fv::demEnergySource::addSup
         driver.addHeat(rho, eqn);
     }
 }
-
-// ************************************************************************* //

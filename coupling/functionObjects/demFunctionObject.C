@@ -1,13 +1,13 @@
 /*---------------------------------------------------------------------------*\
     demFunctionObject.C -- particles in any solver as a function object.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demFunctionObject.H"
 #include "demEnergySource.H"
+#include "demFiles.H"
+#include "demMeshCheck.H"
 #include "demMomentumSource.H"
 #include "fvOptions.H"
 #include "mapPolyMesh.H"
@@ -22,8 +22,6 @@ namespace functionObjects
 }
 }
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 
@@ -33,15 +31,7 @@ static bool hasFile(const fvMesh& mesh)
 {
     for (const word& folder : {mesh.time().constant(), mesh.time().system()})
     {
-        IOobject io
-        (
-            "fvOptions",
-            folder,
-            mesh,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        );
+        IOobject io(demFileAt(folder, "fvOptions", mesh, IOobject::MUST_READ));
 
         if (io.typeHeaderOk<IOdictionary>(true))
         {
@@ -73,8 +63,6 @@ static void checkControl(const dictionary& dict)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 template<class Source>
 void Foam::functionObjects::demFunctionObject::addSource(const word& name)
 {
@@ -105,8 +93,6 @@ void Foam::functionObjects::demFunctionObject::addSource(const word& name)
     sources.set(n, fv::option::New(name, dict, mesh_).ptr());
 }
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::functionObjects::demFunctionObject::demFunctionObject
 (
@@ -172,8 +158,6 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
 {
     if (driver_)
@@ -231,7 +215,7 @@ void Foam::functionObjects::demFunctionObject::updateMesh
 {
     if (driver_ && &map.mesh() == &mesh_)
     {
-        driver_().refuseTopologyChange();
+        demMeshCheck::refuseTopologyChange();
     }
 }
 
@@ -243,5 +227,3 @@ void Foam::functionObjects::demFunctionObject::movePoints(const polyMesh& mesh)
         driver_().meshMoves();
     }
 }
-
-// ************************************************************************* //

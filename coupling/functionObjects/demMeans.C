@@ -1,12 +1,11 @@
 /*---------------------------------------------------------------------------*\
     demMeans.C -- time means of fields by blocks, with their confidence intervals.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demMeans.H"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "dem_tables.h"
 #include "volFields.H"
@@ -22,8 +21,6 @@ namespace functionObjects
     addToRunTimeSelectionTable(functionObject, demMeans, dictionary);
 }
 }
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -52,15 +49,7 @@ class typedSeries
         const fieldType& field = mesh_.lookupObject<fieldType>(name_);
         fieldType result
         (
-            IOobject
-            (
-                name_ + ending,
-                mesh_.time().timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
+            demFileAt(mesh_.time().timeName(), name_ + ending, mesh_, IOobject::NO_READ),
             mesh_,
             dimensioned<Type>(field.dimensions(), Zero),
             zeroGradientFvPatchField<Type>::typeName
@@ -131,8 +120,6 @@ public:
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 void Foam::functionObjects::demMeans::begin()
 {
     series_.clear();
@@ -152,8 +139,6 @@ bool Foam::functionObjects::demMeans::addSeries(const word& field)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::functionObjects::demMeans::demMeans
 (
     const word& name,
@@ -167,8 +152,6 @@ Foam::functionObjects::demMeans::demMeans
     begin();
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::functionObjects::demMeans::read(const dictionary& dict)
 {
@@ -250,5 +233,3 @@ void Foam::functionObjects::demMeans::updateMesh(const mapPolyMesh& map)
         begin();
     }
 }
-
-// ************************************************************************* //

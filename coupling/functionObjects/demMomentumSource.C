@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demMomentumSource.C -- the particles' force on the fluid as an fvOption.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -20,8 +18,6 @@ namespace fv
 }
 }
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::fv::demMomentumSource::demMomentumSource
 (
     const word& name,
@@ -35,8 +31,6 @@ Foam::fv::demMomentumSource::demMomentumSource
     read(dict);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::fv::demMomentumSource::read(const dictionary& dict)
 {
@@ -91,5 +85,3 @@ void Foam::fv::demMomentumSource::addSup
 
     eqn += driver.force() - fvm::Sp(driver.drag(), eqn.psi());
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demThermoHeat.C -- heat exchange with a fluid of a thermophysical model.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "basicThermo.H"
 #include "fvMatrices.H"
 #include "fvmSup.H"
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demThermoHeat::demThermoHeat(const fvMesh& mesh, demCloud& cloud)
 :
@@ -25,8 +21,6 @@ Foam::demThermoHeat::demThermoHeat(const fvMesh& mesh, demCloud& cloud)
     exchange_.setFluid(thermo_.T(), kappa_, Cp_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::basicThermo& Foam::demThermoHeat::thermo
 (
@@ -114,5 +108,3 @@ void Foam::demThermoHeat::correct(const volScalarField& rho)
         List<demHeatExchange::contribution>(1, density)
     );
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demTurbulenceSource.C -- turbulence that particles make, as an fvOption.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -20,8 +18,6 @@ namespace fv
     addToRunTimeSelectionTable(option, demTurbulenceSource, dictionary);
 }
 }
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::wordList Foam::fv::demTurbulenceSource::fields() const
 {
@@ -83,8 +79,6 @@ void Foam::fv::demTurbulenceSource::add
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::fv::demTurbulenceSource::demTurbulenceSource
 (
     const word& name,
@@ -105,8 +99,6 @@ Foam::fv::demTurbulenceSource::demTurbulenceSource
     read(dict);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::fv::demTurbulenceSource::read(const dictionary& dict)
 {
@@ -162,5 +154,3 @@ void Foam::fv::demTurbulenceSource::addSup
 {
     addSup(rho, eqn, fieldi);
 }
-
-// ************************************************************************* //

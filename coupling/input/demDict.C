@@ -2,13 +2,12 @@
     demDict.C -- reads constant/demProperties, separates the settings of the coupling
     from the scene of the core.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demDict.H"
 #include "dem_plan.h"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "demDomain.H"
 #include "emptyPolyPatch.H"
@@ -16,8 +15,6 @@
 #include "OStringStream.H"
 #include "DynamicList.H"
 #include "Time.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -53,26 +50,19 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 void Foam::demDict::checkCoupling() const
 {
-    const wordList known
-    ({
-        "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
-        "kernel", "width", "base", "minVoidFraction", "record", "fields",
-        "lastGood", "equations", "mixtureFlux"
-    });
-
-    forAllConstIters(coupling_, iter)
-    {
-        const keyType& key = iter().keyword();
-
-        if (!known.found(key))
-        {
-            demUnknown(coupling_, "coupling", "entry", key, known);
-        }
-    }
+    demCheckEntries
+    (
+        coupling_,
+        "coupling",
+        wordList
+        ({
+            "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
+            "kernel", "width", "base", "minVoidFraction", "record", "fields",
+            "lastGood", "equations", "mixtureFlux"
+        })
+    );
 }
 
 
@@ -117,7 +107,7 @@ void Foam::demDict::dropFlowEntries()
 }
 
 
-// Of insert: streams, or all other groups
+// Drop groups of insert: streams, or all others
 void Foam::demDict::dropGroups(const bool streams)
 {
     DynamicList<word> dropped;
@@ -138,7 +128,7 @@ void Foam::demDict::dropGroups(const bool streams)
 
     if (dropped.size() && !streams)
     {
-        Info<< "Suna: not read from insert, as the particles are those of"
+        Info<< "Suna: not read from insert, as the particles come from"
             << " start/snapshot: " << flatOutput(dropped)
             << "; demPimpleFoam -settle inserts them" << endl;
     }
@@ -175,15 +165,7 @@ void Foam::demDict::readStart(const bool settle)
 
 void Foam::demDict::resolveGravity()
 {
-    IOobject io
-    (
-        "g",
-        mesh_.time().constant(),
-        mesh_.time(),
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
-    );
+    IOobject io(demFileAt(mesh_.time().constant(), "g", mesh_.time(), IOobject::MUST_READ));
 
     const dictionary& effects = dict_.subOrEmptyDict("effects");
     const dictionary& own = effects.subOrEmptyDict("gravity");
@@ -250,23 +232,10 @@ void Foam::demDict::reportGravity(const char* source) const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
 :
     mesh_(mesh),
-    dict_
-    (
-        IOobject
-        (
-            name(),
-            mesh.time().constant(),
-            mesh.time(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    ),
+    dict_(demFileAt(mesh.time().constant(), name(), mesh.time(), IOobject::MUST_READ)),
     coupling_(dict_.subOrEmptyDict("coupling")),
     settlingEnd_(0),
     gravity_(Zero)
@@ -299,8 +268,6 @@ Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
     resolveGravity();
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::word Foam::demDict::effectWith(const unsigned traits) const
 {
@@ -335,5 +302,3 @@ std::string Foam::demDict::text() const
     writeEntries(dict_, os);
     return os.str();
 }
-
-// ************************************************************************* //

@@ -4,77 +4,19 @@
     Part of demDict: entries of walls that name a patch, or are of type surface, are
     checked and removed from the scene; demWalls passes their triangles to the core.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demDict.H"
-#include "demCheck.H"
 #include "demPassable.H"
 #include "demRotatingFrame.H"
+#include "demWallEntries.H"
 #include "DynamicList.H"
-#include "processorPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-// Names of the patches of the case, the same on all ranks
-static wordList patchNames(const polyMesh& mesh)
-{
-    DynamicList<word> names;
-
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!isA<processorPolyPatch>(patch))
-        {
-            names.append(patch.name());
-        }
-    }
-    return wordList(names);
-}
-
-
-// Refuse a word or an "expression" that matches no patch
-static void refuseUnmatched
-(
-    const dictionary& dict,
-    const std::string& where,
-    const wordRe& pattern,
-    const UList<word>& patches
-)
-{
-    if (!pattern.isPattern())
-    {
-        demUnknown(dict, where, "patch", pattern, patches);
-    }
-    FatalIOErrorInFunction(dict)
-        << where.c_str() << ": \"" << pattern.c_str() << "\" matches no patch;"
-        << " there are " << flatOutput(patches) << exit(FatalIOError);
-}
-
-
-static bool matches(const wordRe& pattern, const UList<word>& names)
-{
-    for (const word& name : names)
-    {
-        if (pattern.match(name))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+using namespace Foam::demWallEntries;
 
 void Foam::demDict::checkPatchNames() const
 {
@@ -87,101 +29,6 @@ void Foam::demDict::checkPatchNames() const
             refuseUnmatched(coupling_, "coupling/walls", pattern, patches);
         }
     }
-}
-
-
-// A walls entry that names no patch must be a wall of the core, with a type
-void Foam::demDict::checkOwnWall(const entry& e) const
-{
-    const dictionary& walls = dict_.subDict("walls");
-    const word type
-    (
-        e.isDict() ? e.dict().getOrDefault<word>("type", "patch") : "patch"
-    );
-
-    if (e.keyword().isPattern() || type == "patch")
-    {
-        refuseUnmatched
-        (
-            walls,
-            "walls/" + e.keyword() + " has no other type (plane, box,"
-            " cylinder, sphere, triangles, stl, surface), so it must be a"
-            " patch",
-            wordRe(e.keyword()),
-            patchNames(mesh_)
-        );
-    }
-}
-
-
-void Foam::demDict::checkMaterial
-(
-    const dictionary& wall,
-    const std::string& where
-) const
-{
-    const wordList known(materials());
-    word name;
-
-    if (wall.readIfPresent("material", name))
-    {
-        if (!known.found(name))
-        {
-            demUnknown(wall, where, "material", name, known);
-        }
-    }
-    else if (known.size() != 1)
-    {
-        FatalIOErrorInFunction(wall)
-            << where.c_str() << " misses its material, as the scene has "
-            << known.size() << "; add material, one of "
-            << flatOutput(known) << exit(FatalIOError);
-    }
-}
-
-
-// The mesh gives the position of a patch; its surface may have a tangential velocity
-// and a temperature
-void Foam::demDict::checkPatchWall(const entry& e) const
-{
-    const std::string where("walls/" + e.keyword());
-
-    if (!e.isDict())
-    {
-        FatalIOErrorInFunction(dict_.subDict("walls"))
-            << where.c_str() << " is not a dictionary; write " << e.keyword()
-            << " { material " << flatOutput(materials()) << "; } with one of"
-            << " these" << exit(FatalIOError);
-    }
-
-    const dictionary& wall = e.dict();
-    const wordHashSet known
-    (
-        {
-            "type", "material", "surfaceVelocity", "surfaceRotation", "absorb",
-            "frictionless", "temperature"
-        }
-    );
-
-    forAllConstIters(wall, iter)
-    {
-        const keyType& key = iter().keyword();
-
-        if
-        (
-            !known.found(key)
-         || (key == "type" && wall.get<word>("type") != "patch")
-        )
-        {
-            FatalIOErrorInFunction(wall)
-                << where.c_str() << " is made from a patch; such a wall has the"
-                << " position of the mesh, a material, surfaceVelocity,"
-                << " surfaceRotation, absorb, frictionless and temperature, nothing else. Take"
-                << " out " << key << exit(FatalIOError);
-        }
-    }
-
-    checkMaterial(wall, where);
 }
 
 
@@ -313,10 +160,10 @@ void Foam::demDict::separateSurfaceWall(const word& name)
 {
     dictionary& wall = dict_.subDict("walls").subDict(name);
 
-    checkMaterial(wall, "walls/" + name);
+    checkMaterial(dict_, wall, "walls/" + name);
     if (!wall.found("material"))
     {
-        wall.add("material", materials()[0]);
+        wall.add("material", materials(dict_)[0]);
     }
     if (!wall.found("file"))
     {
@@ -361,7 +208,7 @@ void Foam::demDict::separatePatchWalls()
 
         if (!matches(wordRe(names[i]), patches))
         {
-            checkOwnWall(e);
+            checkOwn(mesh_, walls, e);
             if (e.isDict() && e.dict().getOrDefault<word>("type", "") == "surface")
             {
                 separateSurfaceWall(names[i]);
@@ -369,7 +216,7 @@ void Foam::demDict::separatePatchWalls()
             continue;
         }
 
-        checkPatchWall(e);
+        checkPatch(dict_, e);
 
         const label patchi = mesh_.boundaryMesh().findPatchID(names[i]);
         if (patchi >= 0 && demPassable::is(mesh_.boundaryMesh()[patchi]))
@@ -398,23 +245,6 @@ void Foam::demDict::separatePatchWalls()
 }
 
 
-Foam::wordList Foam::demDict::materials() const
-{
-    const wordList names(dict_.subOrEmptyDict("materials").toc());
-
-    if (names.empty())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The scene has no materials; add"
-            << " materials { glass { density 2500; youngsModulus 1e7; } }"
-            << exit(FatalIOError);
-    }
-    return names;
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 bool Foam::demDict::isWall(const polyPatch& patch) const
 {
     return
@@ -428,7 +258,7 @@ bool Foam::demDict::isWall(const polyPatch& patch) const
 Foam::word Foam::demDict::material(const polyPatch& patch) const
 {
     const dictionary* wall = patches_.findDict(patch.name());
-    const wordList known(materials());
+    const wordList known(materials(dict_));
     word name(known[0]);
 
     // A particle meets its own image at a mirror: any material will do
@@ -446,5 +276,3 @@ Foam::word Foam::demDict::material(const polyPatch& patch) const
     }
     return name;
 }
-
-// ************************************************************************* //

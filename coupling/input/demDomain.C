@@ -2,8 +2,6 @@
     demDomain.C -- derive periodic and flat axes of the particles' domain from
     cyclic and empty patches.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -14,8 +12,6 @@
 #include "SubField.H"
 #include "Time.H"
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // Translation from this half of a cyclic pair to the other, over all ranks; false if
 // it is not a translation. Faces with their other half on another rank are in
@@ -195,8 +191,6 @@ void Foam::demDomain::addEmpty(const direction k)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demDomain::demDomain(const polyMesh& mesh)
 :
     mesh_(mesh),
@@ -228,8 +222,6 @@ Foam::demDomain::demDomain(const polyMesh& mesh)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 Foam::tmp<Foam::pointField> Foam::demDomain::firstPoints(const polyMesh& mesh)
 {
     if (mesh.pointsInstance() == mesh.facesInstance())
@@ -257,5 +249,3 @@ Foam::tmp<Foam::pointField> Foam::demDomain::firstPoints(const polyMesh& mesh)
         )
     );
 }
-
-// ************************************************************************* //

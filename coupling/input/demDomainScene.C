@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demDomainScene.C -- check the scene's domain against the mesh and complete it.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -176,5 +174,3 @@ void Foam::demDomain::complete(dictionary& scene, const bool walls) const
         scene.set("domain", domain);
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demEdits.C -- edits of constant/demProperties during a run.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -66,8 +62,6 @@ static void compare
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demEdits::demEdits(const Time& time, const fileName& file)
 :
     time_(time),
@@ -83,8 +77,6 @@ Foam::demEdits::demEdits(const Time& time, const fileName& file)
     }
 }
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // A file that is half written, or has a mistake, must not end the run
 bool Foam::demEdits::read(dictionary& content, string& why) const
@@ -108,8 +100,6 @@ bool Foam::demEdits::read(dictionary& content, string& why) const
     return done;
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demEdits::report()
 {
@@ -151,5 +141,3 @@ void Foam::demEdits::report()
     Info<< "; the run goes on without that, and takes it when it is started again"
         << " (startFrom latestTime continues)" << endl;
 }
-
-// ************************************************************************* //

@@ -1,17 +1,14 @@
 /*---------------------------------------------------------------------------*\
     demMeshCheck.C -- refuses meshes in which a point lies in several cells.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demMeshCheck.H"
 #include "demPassable.H"
+#include "bitSet.H"
 #include "indexedOctree.H"
 #include "treeDataCell.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -47,19 +44,19 @@ static labelList sample(const fvMesh& mesh)
 {
     const label all = returnReduce(mesh.nCells(), sumOp<label>());
     const label stride = max(label(1), all/sampleSize);
-    boolList slides(mesh.nCells(), false);
+    bitSet slides(mesh.nCells());
     DynamicList<label> cells;
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (demPassable::slides(patch))
         {
-            UIndirectList<bool>(slides, patch.faceCells()) = true;
+            slides.set(patch.faceCells());
         }
     }
     for (label celli = 0; celli < mesh.nCells(); celli += stride)
     {
-        if (!slides[celli])
+        if (!slides.test(celli))
         {
             cells.append(celli);
         }
@@ -107,14 +104,10 @@ static label overlaps
 static void refuseOverlap(const fvMesh& mesh)
 {
     const labelList own(sample(mesh));
-    List<pointField> points(Pstream::nProcs());
+    const List<pointField> points(demGather(pointField(mesh.cellCentres(), own)));
     point first(Zero);
     label n = 0;
     label all = 0;
-
-    points[Pstream::myProcNo()] = pointField(mesh.cellCentres(), own);
-    Pstream::gatherList(points);
-    demBroadcast(points);
 
     forAll(points, rank)
     {
@@ -149,12 +142,18 @@ static void refuseOverlap(const fvMesh& mesh)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+void Foam::demMeshCheck::refuseTopologyChange()
+{
+    FatalErrorInFunction
+        << "The mesh changes its topology, but the particles keep the cells and walls of the"
+        << " mesh at the start: it may move, but not be refined or cut anew; take another"
+        << " dynamicFvMesh in constant/dynamicMeshDict, or leave the particles out"
+        << exit(FatalError);
+}
+
 
 void Foam::demMeshCheck::check(const fvMesh& mesh)
 {
     refuseOverset(mesh);
     refuseOverlap(mesh);
 }
-
-// ************************************************************************* //

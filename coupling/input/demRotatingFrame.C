@@ -1,12 +1,11 @@
 /*---------------------------------------------------------------------------*\
     demRotatingFrame.C -- zones of cells in a rotating frame (MRF).
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demRotatingFrame.H"
+#include "demFiles.H"
 #include "demPassable.H"
 #include "emptyPolyPatch.H"
 #include "Constant.H"
@@ -53,15 +52,7 @@ Foam::PtrList<Foam::demRotatingFrame> Foam::demRotatingFrame::all(const polyMesh
 {
     const IOdictionary dict
     (
-        IOobject
-        (
-            "MRFProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE,
-            false
-        )
+        demFileAt(mesh.time().constant(), "MRFProperties", mesh, IOobject::READ_IF_PRESENT)
     );
     PtrList<demRotatingFrame> frames;
 
@@ -124,7 +115,7 @@ bool Foam::demRotatingFrame::rotates(const polyPatch& patch) const
     if (inside && inside < faces)
     {
         FatalErrorInFunction
-            << "Of patch " << patch.name() << " " << inside << " faces of " << faces
+            << inside << " of the " << faces << " faces of patch " << patch.name()
             << " lie in zone " << name_ << " of constant/MRFProperties, but a wall of the"
             << " particles has one rotation; make it two patches, or list it in"
             << " nonRotatingPatches" << exit(FatalError);
@@ -164,5 +155,3 @@ Foam::dictionary Foam::demRotatingFrame::surfaceRotation() const
     rotation.add("omega", speed_);
     return rotation;
 }
-
-// ************************************************************************* //

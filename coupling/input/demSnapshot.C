@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demSnapshot.C -- finds the snapshot from which a run starts, and writes snapshots.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -15,8 +13,6 @@
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include <cstdio>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -95,8 +91,8 @@ static bool onMaster(const fileName& file)
 }
 
 
-// A file or folder of the present time, of any rank, that only a run with particles writes; empty without.
-// Collective.
+// A file or folder of the present time, of any rank, that only a run with particles writes; empty
+// without. Collective.
 static fileName trace(const Time& time)
 {
     for
@@ -213,8 +209,6 @@ static void refuseMissing(const Time& time, const word& latest)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::fileName Foam::demSnapshot::present(const Time& time)
 {
@@ -348,5 +342,3 @@ Foam::fileName Foam::demSnapshot::start(const polyMesh& mesh, const demDict& dic
     }
     return dict.snapshot();
 }
-
-// ************************************************************************* //

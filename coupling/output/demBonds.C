@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demBonds.C -- table of broken bonds, and VTK files of intact ones.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,8 +8,6 @@
 #include "demCheck.H"
 #include "demInteger.H"
 #include "OSspecific.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::demBonds::begin(const ::dem* d)
 {
@@ -29,8 +25,6 @@ void Foam::demBonds::begin(const ::dem* d)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demBonds::demBonds(const Time& time)
 :
     time_(time),
@@ -43,8 +37,6 @@ Foam::demBonds::demBonds(const Time& time)
     demBroadcast(folder_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demBonds::report(::dem* d, const scalar offset)
 {
@@ -90,5 +82,3 @@ void Foam::demBonds::writeVtk(::dem* d)
     const fileName file("bonds_" + time_.timeName() + ".vtp");
     demCheck(dem_bonds_draw(d, folder_.c_str(), file.c_str(), time_.value()));
 }
-
-// ************************************************************************* //

@@ -1,16 +1,13 @@
 /*---------------------------------------------------------------------------*\
     demFields.C -- deposits particle quantities as fields of the mesh.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demFields.H"
+#include "demFiles.H"
 #include "demCheck.H"
 #include "demColumns.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -56,8 +53,6 @@ static void set(GeoField& field, const Field<typename GeoField::value_type>& val
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 template<class Type>
 void Foam::demFields::make
 (
@@ -76,11 +71,10 @@ void Foam::demFields::make
     (
         new GeometricField<Type, fvPatchField, volMesh>
         (
-            IOobject
+            demFieldAt
             (
-                IOobject::groupName(name, "particles"),
-                mesh_.time().timeName(),
                 mesh_,
+                IOobject::groupName(name, "particles"),
                 IOobject::NO_READ,
                 IOobject::AUTO_WRITE
             ),
@@ -110,8 +104,6 @@ Foam::tmp<Foam::symmTensorField> Foam::demFields::flux
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demFields::demFields(const fvMesh& mesh, const dictionary& coupling)
 :
     mesh_(mesh)
@@ -135,8 +127,6 @@ Foam::demFields::demFields(const fvMesh& mesh, const dictionary& coupling)
     make(stress_, wanted, "stress", dimPressure);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demFields::prepare(::dem_case* c) const
 {
@@ -233,5 +223,3 @@ void Foam::demFields::update
         set(stress_(), depositTensor(transfer, diagonal, offDiagonal) - motion);
     }
 }
-
-// ************************************************************************* //

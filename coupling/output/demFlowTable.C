@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demFlowTable.C -- table of sums and rates of inflow and outflow.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -10,16 +8,12 @@
 #include "demCheck.H"
 #include "demInteger.H"
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demFlowTable::demFlowTable(const Time& time)
 :
     table_(time, "flows.csv"),
     last_()
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demFlowTable::begin(::dem* d, const scalar now)
 {
@@ -56,5 +50,3 @@ void Foam::demFlowTable::report(::dem* d, const bool rows, const scalar now)
         << " particles entered, " << demInteger(out).c_str() << " left, "
         << demInteger(waiting).c_str() << " wait for free space" << endl;
 }
-
-// ************************************************************************* //

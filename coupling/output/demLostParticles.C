@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demLostParticles.C -- report and table of lost particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -12,8 +10,6 @@
 #include "demInteger.H"
 #include "OSspecific.H"
 #include "Time.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -45,8 +41,6 @@ static void reportIds
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::string> Foam::demLostParticles::describePatch
 (
@@ -96,8 +90,6 @@ void Foam::demLostParticles::writeRows
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demLostParticles::demLostParticles(const fvMesh& mesh)
 :
     mesh_(mesh),
@@ -105,8 +97,6 @@ Foam::demLostParticles::demLostParticles(const fvMesh& mesh)
     removed_(0)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::demLostParticles::report(::dem* d, const scalar offset)
 {
@@ -150,5 +140,3 @@ void Foam::demLostParticles::report(::dem* d, const scalar offset)
         writeRows(d, loss + first, label(min(n - first, int64_t(BLOCK))), offset);
     }
 }
-
-// ************************************************************************* //

@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demProgress.C -- share done, time left and speed of a run, in its log.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -19,8 +17,6 @@ static const scalar between = 1;
 
 } // End namespace Foam
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demProgress::demProgress(const Time& time)
 :
     time_(time),
@@ -33,8 +29,6 @@ Foam::demProgress::demProgress(const Time& time)
     window_(0)
 {}
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // The core is at this time within the fluid step that ends at time_
 void Foam::demProgress::tell(void* self, double time, int64_t steps)
@@ -91,8 +85,6 @@ void Foam::demProgress::say
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::demProgress::watch(::dem* d)
 {
     if (Pstream::master())
@@ -121,5 +113,3 @@ void Foam::demProgress::end(const int64_t steps)
         particleSteps_
     );
 }
-
-// ************************************************************************* //

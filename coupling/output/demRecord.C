@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demRecord.C -- record of particles, walls and energy at short intervals.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -12,8 +10,6 @@
 #include "demInteger.H"
 #include "OSspecific.H"
 #include <cstdint>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -49,8 +45,6 @@ static void put(std::ofstream& os, const Type value)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 // At the first step, so that a run without steps leaves no empty files
 void Foam::demRecord::begin(const ::dem* d)
@@ -150,8 +144,6 @@ void Foam::demRecord::writeEnergy(::dem* d)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
 :
     time_(time),
@@ -164,17 +156,8 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     if (coupling.found("record"))
     {
         const dictionary& record = coupling.subDict("record");
-        const wordList known({"interval", "energy", "budget"});
+        demCheckEntries(record, "coupling/record", wordList({"interval", "energy", "budget"}));
 
-        forAllConstIters(record, iter)
-        {
-            const keyType& key = iter().keyword();
-
-            if (!known.found(key))
-            {
-                demUnknown(record, "coupling/record", "entry", key, known);
-            }
-        }
         const scalar interval = record.get<scalar>("interval");
 
         if (interval < SMALL)
@@ -187,8 +170,6 @@ Foam::demRecord::demRecord(const Time& time, const dictionary& coupling)
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::demRecord::energy(const dictionary& coupling)
 {
@@ -238,5 +219,3 @@ void Foam::demRecord::add(::dem* d, const demView& view, const scalar elapsed)
         }
     }
 }
-
-// ************************************************************************* //

@@ -1,16 +1,12 @@
 /*---------------------------------------------------------------------------*\
     demTable.C -- CSV table of a run.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demTable.H"
 #include "demCheck.H"
 #include "OSspecific.H"
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::demTable::demTable(const Time& time, const word& name)
 :
@@ -27,8 +23,6 @@ Foam::demTable::demTable(const Time& time, const word& name)
     dem_table_name(&table_, folder(time).c_str(), name.c_str(), time.startTime().value());
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::fileName Foam::demTable::folder(const Time& time)
 {
@@ -73,5 +67,3 @@ const struct ::dem_table* Foam::demTable::rows(const ::dem* d)
     mkDir(fileName(table_.folder));
     return &table_;
 }
-
-// ************************************************************************* //

@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     demWriter.C -- writes particles as a lagrangian cloud.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demWriter.H"
 #include "demColumns.H"
+#include "demRankBuffers.H"
 #include "IOdictionary.H"
 #include "IOField.H"
-#include "PstreamBuffers.H"
 #include "Time.H"
 #include "DynamicList.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -89,41 +85,20 @@ static List<scalar> distribute
     const double* address
 )
 {
-    List<DynamicList<scalar>> out(Pstream::nProcs());
+    demRankBuffers out(Pstream::nProcs()), in(Pstream::nProcs());
 
     for (size_t i = 0; i < v.n; i++)
     {
         pack(d, scalars, v, folded, address, i, out[label(address[2*i])]);
     }
+    demExchangeBuffers(out, in);
 
-    if (!Pstream::parRun())
+    DynamicList<scalar> all;
+    for (const DynamicList<scalar>& message : in)
     {
-        return List<scalar>(out[0]);
+        all.append(message);
     }
-
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    forAll(out, rank)
-    {
-        if (out[rank].size())
-        {
-            UOPstream os(rank, buffers);
-            os << List<scalar>(out[rank]);
-        }
-    }
-
-    labelList sizes(Pstream::nProcs());
-    buffers.finishedSends(sizes);
-
-    DynamicList<scalar> in;
-    forAll(sizes, rank)
-    {
-        if (sizes[rank])
-        {
-            UIPstream is(rank, buffers);
-            in.append(List<scalar>(is));
-        }
-    }
-    return List<scalar>(in);
+    return List<scalar>(all);
 }
 
 
@@ -231,8 +206,6 @@ static void writeField
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
 // A label of OpenFOAM, passed between ranks as a double
 int64_t Foam::demWriter::maxId()
 {
@@ -289,5 +262,3 @@ void Foam::demWriter::write
         writeField<scalar>(io(info.name), all, each, N_NUMBERS + k, one);
     }
 }
-
-// ************************************************************************* //

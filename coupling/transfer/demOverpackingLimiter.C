@@ -2,12 +2,11 @@
     demOverpackingLimiter.C -- move excess solid volume of overpacked cells to their
     neighbours.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "demOverpackingLimiter.H"
+#include "demConductance.H"
 #include "volFields.H"
 #include "syncTools.H"
 
@@ -32,8 +31,6 @@ namespace Foam
 }
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::demOverpackingLimiter::demOverpackingLimiter
 (
     const fvMesh& mesh,
@@ -56,16 +53,10 @@ Foam::demOverpackingLimiter::demOverpackingLimiter
     const vectorField& S = mesh_.faceAreas();
     const pointField& C = mesh_.cellCentres();
 
-    // lower limit of the cosine between d and the face normal, as in OpenFOAM
-    const auto k = [](const vector& area, const vector& d)
-    {
-        return max(area & d, 0.05*mag(area)*mag(d))/max(magSqr(d), VSMALL);
-    };
-
     forAll(internalK_, facei)
     {
         const label n = mesh_.faceNeighbour()[facei];
-        internalK_[facei] = k(S[facei], C[n] - C[owner[facei]]);
+        internalK_[facei] = demConductance(S[facei], C[n] - C[owner[facei]]);
         sumK_[owner[facei]] += internalK_[facei];
         sumK_[n] += internalK_[facei];
     }
@@ -80,7 +71,7 @@ Foam::demOverpackingLimiter::demOverpackingLimiter
     swap(other);
     const auto connect = [&](const label i, const vector& area)
     {
-        boundaryK_[i] = k(area, arm[i] - other[i]);
+        boundaryK_[i] = demConductance(area, arm[i] - other[i]);
         sumK_[cellOf(i)] += boundaryK_[i];
     };
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -247,6 +238,3 @@ void Foam::demOverpackingLimiter::limitSolid(UList<scalar>& solid, const scalar 
     }
     setTransport(u, s, solid);
 }
-
-
-// ************************************************************************* //

@@ -2,8 +2,6 @@
     demOverpackingLimiterTransport.C -- move other deposited quantities along with the
     excess solid, and the adjoint for sampling.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -254,6 +252,3 @@ INSTANTIATE(Foam::scalar)
 INSTANTIATE(Foam::vector)
 
 #undef INSTANTIATE
-
-
-// ************************************************************************* //

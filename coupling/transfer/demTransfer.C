@@ -2,8 +2,6 @@
     demTransfer.C -- locates particles, deposits their values on the mesh, samples
     fields at them.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -278,6 +276,3 @@ INSTANTIATE(scalar, volScalarField)
 INSTANTIATE(vector, volVectorField)
 
 #undef INSTANTIATE
-
-
-// ************************************************************************* //

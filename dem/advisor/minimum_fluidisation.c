@@ -69,7 +69,7 @@ double dem_suspension_drag(const struct dem_interaction_table *r, const struct d
         {
             dem_effect_apply_to_bodies(r->bodies.entry[k].effect, r->bodies.entry[k].settings,
                                        &batch);
-            coefficient = batch.b[0];
+            coefficient = batch.drag[0];
         }
     }
     return coefficient;

@@ -5,7 +5,7 @@
  */
 #include "advisor/sample_block.h"
 #include "particles/scalars.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include <math.h>
 #include <string.h>
 

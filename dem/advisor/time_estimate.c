@@ -10,7 +10,7 @@
 #include "advisor/time_estimate.h"
 #include "advisor/sample_block.h"
 #include "records/totals.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include "step/step.h"
 #include <math.h>
 #include <time.h>

@@ -84,7 +84,7 @@ static void begin_columns(struct dem *d, size_t from)
 
         q->flags |= DEM_PARTICLE_NEW;
         dem_flows_begin_columns(p, i, &d->scene.fluid);
-        for (int k = 0; k < 3 && p->half_step_ahead && q->inverse_mass > 0.0; k++)
+        for (int k = 0; k < 3 && p->window.half_step_ahead && q->inverse_mass > 0.0; k++)
         {
             q->v[k] += 0.5*p->dt*g[k];
         }

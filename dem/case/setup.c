@@ -24,7 +24,7 @@
 #include "particles/orientation.h"
 #include "ranks/collect.h"
 #include "step/body_window.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
 #include <fenv.h>
@@ -254,7 +254,7 @@ static int set_up(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, begin_energy_balance(c)));
     }
     /* drag laws of the interrupted window take the fluid columns as loaded */
-    if (d->state.half_step_ahead)
+    if (d->state.window.half_step_ahead)
     {
         dem_bodies_window_constants(&d->state.particles, &d->state.interaction_table.bodies);
     }

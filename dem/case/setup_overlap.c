@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "ranks/collect.h"
 #include "records/totals.h"
-#include "step/neighbor_update.h"
+#include "step/neighbor_rebuild.h"
 #include <math.h>
 
 /* `flags`: of particles with one of them only; 0: of all. */

@@ -307,12 +307,12 @@ static void freeze_or_free(struct dem_case *c)
 /* Resume the window that was interrupted when the snapshot was written. */
 static void resume_window(struct dem_state *p, const struct dem_snapshot_window *w)
 {
-    p->half_step_ahead = w->ahead > 0;
-    p->steps_ahead = w->ahead;
-    p->steps_before = p->steps - w->done;
-    p->window_start = w->opened;
+    p->window.half_step_ahead = w->ahead > 0;
+    p->window.steps = w->ahead;
+    p->window.steps_before = p->steps - w->done;
+    p->window.start = w->opened;
     p->dt = w->dt;
-    p->window = w->dt*(double)w->ahead;
+    p->window.length = w->dt*(double)w->ahead;
 }
 
 /* A scene that starts from a snapshot (entry `start`) counts its own streams from 0; the ids

@@ -50,31 +50,44 @@ struct dem_contact_energy
 
 struct dem_contact_forces
 {
-    int moments, has_energy;                      /* 1: an effect makes moments; one acts past
-                                                     touching */
-    int all_rows;                                 /* 1: bonds, averages or the virial read the forces
-                                                     of all rows */
-    uint32_t ring;                                /* slots of the ring: DEM_FORCE_BUFFER_ROWS, or 0 */
-    struct dem_contact_force *force;              /* per slot */
-    struct dem_contact_moment *moment;            /* per slot; NULL without `moments` */
-    size_t capacity;                              /* slots */
-    size_t own_slots, slot_row_capacity;          /* slots behind the ring: */
-    uint32_t *slot_row;                           /* the row of each; the first has none, the force 0 */
-    size_t first_deferred;                        /* from this one on they are of deferred rows,
-                                                     ascending; before it of walls */
-    uint64_t *deferred;                           /* a bit per row: 1 where it is deferred */
-    uint32_t *deferred_before;                    /* per word of these: bits before it */
-    size_t deferred_capacity, before_capacity;    /* words */
-    struct dem_contact_force *row_force;          /* per row; NULL without ring or `all_rows` */
+    /* 1: an effect makes moments; one acts past touching */
+    int moments, has_energy;
+    /* 1: bonds, averages or the virial read the forces of all rows */
+    int all_rows;
+    /* slots of the ring: DEM_FORCE_BUFFER_ROWS, or 0 */
+    uint32_t ring;
+    /* per slot */
+    struct dem_contact_force *force;
+    /* per slot; NULL without `moments` */
+    struct dem_contact_moment *moment;
+    /* slots */
+    size_t capacity;
+    /* slots behind the ring */
+    size_t own_slots, slot_row_capacity;
+    /* per slot behind the ring: its row; the first has none, the force 0 */
+    uint32_t *slot_row;
+    /* from this one on they are of deferred rows, ascending; before it of walls */
+    size_t first_deferred;
+    /* a bit per row: 1 where it is deferred */
+    uint64_t *deferred;
+    /* per word of deferred: bits before it */
+    uint32_t *deferred_before;
+    /* words */
+    size_t deferred_capacity, before_capacity;
+    /* per row; NULL without ring or `all_rows` */
+    struct dem_contact_force *row_force;
     struct dem_contact_moment *row_moment;
     size_t row_force_capacity;
-    struct dem_contact_energy *energy;            /* per row; NULL without `has_energy` */
-    int rates;                                    /* particle scalars whose rates rows have */
-    double *rate;                                 /* 2 per row and scalar: what i and j receive;
-                                                     NULL without `rates` */
-    size_t row_capacity;                          /* rows of these two */
-    int64_t touching;                             /* rows with overlap whose i is owned; valid after
-                                                     an observed step */
+    /* per row; NULL without `has_energy` */
+    struct dem_contact_energy *energy;
+    /* particle scalars whose rates rows have */
+    int rates;
+    /* 2 per row and scalar: what i and j receive; NULL without `rates` */
+    double *rate;
+    /* rows of energy and rate */
+    size_t row_capacity;
+    /* rows with overlap whose i is owned; valid after an observed step */
+    int64_t touching;
 };
 
 /* Force and moment of any row after an observed step, with `all_rows`. */

@@ -51,34 +51,36 @@ size_t dem_contacts_bytes(const struct dem_contacts *c)
            dem_contact_history_bytes(&c->history) + dem_contact_forces_bytes(&c->forces);
 }
 
-int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *p, const uint8_t *near)
+int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *particles,
+                       const uint8_t *near)
 {
     const uint32_t *from;
 
-    DEM_TRY(dem_contact_rows_number(&c->rows, &c->pairs, near, p->n, &from));
+    DEM_TRY(dem_contact_rows_number(&c->rows, &c->pairs, near, particles->n, &from));
     DEM_TRY(dem_contact_history_resize(&c->history, c->rows.capacity));
     dem_contact_history_move(&c->history, c->rows.n, from);
     DEM_TRY(dem_contact_forces_resize(&c->forces, c->rows.n + DEM_PADDING_ROWS,
                                       c->rows.capacity));
-    DEM_TRY(dem_contact_rows_build_adjacency(&c->rows, &c->pairs, p->n));
-    DEM_TRY(dem_contact_forces_assign_slots(&c->forces, &c->rows, &c->pairs, p->n));
+    DEM_TRY(dem_contact_rows_build_adjacency(&c->rows, &c->pairs, particles->n));
+    DEM_TRY(dem_contact_forces_assign_slots(&c->forces, &c->rows, &c->pairs, particles->n));
     return c->history.saved > 0 ? DEM_OK : dem_contact_forces_allocate(&c->forces, &c->rows);
 }
 
 /* ---- history --------------------------------------------------------------------------------- */
 
-struct dem_contact_key dem_contacts_key(const struct dem_contacts *c, const struct dem_particles *p,
+struct dem_contact_key dem_contacts_key(const struct dem_contacts *c,
+                                        const struct dem_particles *particles,
                                         const struct dem_facet_key *wall_facet, uint32_t row)
 {
     const struct dem_pair *const q = dem_contacts_pair(c, row);
-    const struct dem_particle *const i = &p->record[q->i];
+    const struct dem_particle *const i = &particles->record[q->i];
 
     if (q->wall)
     {
         return (struct dem_contact_key){.low = i->id, .high = -1 - wall_facet[q->j].number,
                                         .image = wall_facet[q->j].image};
     }
-    const struct dem_particle *const j = &p->record[q->j];
+    const struct dem_particle *const j = &particles->record[q->j];
 
     return (struct dem_contact_key){.low = i->id,
                                     .high = j->id,
@@ -93,7 +95,7 @@ static int has_history(const struct dem_contacts *c, uint32_t row)
 /* Append the rows of `from` that have history to the saved history h. Each contact is counted by
    the owner of its lower particle. */
 static int save_rows(struct dem_contact_history *h, const struct dem_contacts *from,
-                     const struct dem_particles *p, const struct dem_facet_key *wall_facet)
+                     const struct dem_particles *particles, const struct dem_facet_key *wall_facet)
 {
     double values[DEM_HISTORY_COLUMNS];
     size_t more = 0;
@@ -107,9 +109,9 @@ static int save_rows(struct dem_contact_history *h, const struct dem_contacts *f
     {
         if (has_history(from, r))
         {
-            struct dem_contact_key key = dem_contacts_key(from, p, wall_facet, r);
+            struct dem_contact_key key = dem_contacts_key(from, particles, wall_facet, r);
 
-            key.counted = dem_contacts_pair(from, r)->i < p->n;
+            key.counted = dem_contacts_pair(from, r)->i < particles->n;
             dem_contact_history_get(&from->history, r, values);
             DEM_TRY(dem_contact_history_append(h, &key, values));
         }
@@ -117,11 +119,11 @@ static int save_rows(struct dem_contact_history *h, const struct dem_contacts *f
     return DEM_OK;
 }
 
-int dem_contacts_save_history(struct dem_contacts *c, const struct dem_particles *p,
+int dem_contacts_save_history(struct dem_contacts *c, const struct dem_particles *particles,
                               const struct dem_facet_key *wall_facet)
 {
     dem_contact_forces_release(&c->forces);
-    DEM_TRY(save_rows(&c->history, c, p, wall_facet));
+    DEM_TRY(save_rows(&c->history, c, particles, wall_facet));
     dem_contact_rows_clear(&c->rows);
     dem_contact_history_clear(&c->history);
     dem_contact_forces_clear(&c->forces);
@@ -129,7 +131,8 @@ int dem_contacts_save_history(struct dem_contacts *c, const struct dem_particles
 }
 
 int dem_contacts_copy_saved(struct dem_contacts *c, const struct dem_contacts *from,
-                            const struct dem_particles *p, const struct dem_facet_key *wall_facet)
+                            const struct dem_particles *particles,
+                            const struct dem_facet_key *wall_facet)
 {
     const struct dem_contact_history *const h = &from->history;
 
@@ -138,10 +141,10 @@ int dem_contacts_copy_saved(struct dem_contacts *c, const struct dem_contacts *f
         DEM_TRY(dem_contact_history_append(&c->history, &h->saved_key[k],
                                            h->saved_value + k*(size_t)h->columns));
     }
-    return save_rows(&c->history, from, p, wall_facet);
+    return save_rows(&c->history, from, particles, wall_facet);
 }
 
-int dem_contacts_restore_history(struct dem_contacts *c, const struct dem_particles *p,
+int dem_contacts_restore_history(struct dem_contacts *c, const struct dem_particles *particles,
                                  const struct dem_facet_key *wall_facet)
 {
     struct dem_contact_hash hash;
@@ -155,7 +158,7 @@ int dem_contacts_restore_history(struct dem_contacts *c, const struct dem_partic
     {
         if (c->rows.pair[r] != DEM_ROW_NONE)
         {
-            const struct dem_contact_key key = dem_contacts_key(c, p, wall_facet, r);
+            const struct dem_contact_key key = dem_contacts_key(c, particles, wall_facet, r);
 
             dem_contact_history_take(&c->history, &hash, &key, r);
         }

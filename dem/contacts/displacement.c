@@ -31,7 +31,8 @@ static uint32_t to_units(const struct dem_displacement *d, double x)
     return (uint32_t)bits;
 }
 
-int dem_displacement_begin(struct dem_displacement *d, const struct dem_particles *p, double skin)
+int dem_displacement_begin(struct dem_displacement *d, const struct dem_particles *particles,
+                           double skin)
 {
     int binary;
 
@@ -41,18 +42,19 @@ int dem_displacement_begin(struct dem_displacement *d, const struct dem_particle
     memset(d->centre, 0, sizeof d->centre);
     d->unit = ldexp(1.0, binary - 15);
     d->round = ldexp(1.5, binary - 15 + 52);
-    if (3*p->n > d->capacity || !d->reference)
+    if (3*particles->n > d->capacity || !d->reference)
     {
         dem_memory_free(d->reference);
         d->reference = NULL;
-        d->capacity = 3*(p->n + p->n/32 + 1);                 /* migration changes n a little */
+        d->capacity = 3*(particles->n + particles->n/32 +
+                         1);                 /* migration changes n a little */
         DEM_TRY(DEM_NEW(d->reference, d->capacity));
     }
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
         for (size_t k = 0; k < 3; k++)
         {
-            d->reference[3*i + k] = to_units(d, p->record[i].x[k]);
+            d->reference[3*i + k] = to_units(d, particles->record[i].x[k]);
         }
     }
     return DEM_OK;
@@ -69,15 +71,16 @@ static double upper_bound(const struct dem_displacement *d, double distance)
     return distance + 2.0*d->unit;
 }
 
-void dem_displacement_extent(const struct dem_displacement *d, const struct dem_particles *p,
+void dem_displacement_extent(const struct dem_displacement *d,
+                             const struct dem_particles *particles,
                              double extent[DEM_DISPLACEMENT_NUMBERS])
 {
     double high[3] = {-INFINITY, -INFINITY, -INFINITY}, low[3] = {INFINITY, INFINITY, INFINITY},
            square = 0.0;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
-        const double *const x = p->record[i].x;
+        const double *const x = particles->record[i].x;
         const double d_i[3] = {displacement(d, x[0], d->reference[3*i]),
                                displacement(d, x[1], d->reference[3*i + 1]),
                                displacement(d, x[2], d->reference[3*i + 2])};
@@ -95,7 +98,7 @@ void dem_displacement_extent(const struct dem_displacement *d, const struct dem_
         extent[k] = high[k];
         extent[3 + k] = -low[k];
     }
-    extent[6] = p->n > 0 ? upper_bound(d, sqrt(square)) : 0.0;
+    extent[6] = particles->n > 0 ? upper_bound(d, sqrt(square)) : 0.0;
 }
 
 int dem_displacement_set_extent(struct dem_displacement *d,
@@ -119,14 +122,14 @@ int dem_displacement_set_extent(struct dem_displacement *d,
     return sqrt(half) < 0.9*extent[6];
 }
 
-double dem_displacement_spread(const struct dem_displacement *d, const struct dem_particles *p,
-                               const double centre[3])
+double dem_displacement_spread(const struct dem_displacement *d,
+                               const struct dem_particles *particles, const double centre[3])
 {
     double largest = 0.0;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
-        const double *const x = p->record[i].x;
+        const double *const x = particles->record[i].x;
         double square = 0.0;
 
         for (size_t k = 0; k < 3; k++)
@@ -137,7 +140,7 @@ double dem_displacement_spread(const struct dem_displacement *d, const struct de
         }
         largest = square > largest ? square : largest;
     }
-    return p->n > 0 ? upper_bound(d, sqrt(largest)) : 0.0;
+    return particles->n > 0 ? upper_bound(d, sqrt(largest)) : 0.0;
 }
 
 void dem_displacement_set(struct dem_displacement *d, double spread, const double centre[3])

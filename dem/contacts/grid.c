@@ -52,13 +52,13 @@ static void enclose(struct box *b, const double x[3])
     }
 }
 
-static struct box owned_box(const struct dem_particles *p)
+static struct box owned_box(const struct dem_particles *particles)
 {
     struct box b = empty_box;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
-        enclose(&b, p->record[i].x);
+        enclose(&b, particles->record[i].x);
     }
     return b;
 }
@@ -95,13 +95,14 @@ static size_t cell_of(const struct dem_grid *g, const struct dem_grid_level *l, 
            (size_t)c[0];
 }
 
-size_t dem_grid_fit(struct dem_grid *g, struct dem_grid_level *l, const struct dem_particles *p)
+size_t dem_grid_fit(struct dem_grid *g, struct dem_grid_level *l,
+                    const struct dem_particles *particles)
 {
-    const struct box b = owned_box(p);
+    const struct box b = owned_box(particles);
 
     choose_axes(g, &b);
     memcpy(g->origin, b.min, sizeof g->origin);
-    return size_level(g, l, &b, p->n);
+    return size_level(g, l, &b, particles->n);
 }
 
 /* ---- entries --------------------------------------------------------------------------------- */
@@ -154,20 +155,20 @@ static void add_entry(struct dem_grid *g, const struct dem_particle *r, const do
 /* List each record at each shift that brings it within reach of the bounding box of the owned
    particles. `all`: bounding box of the entries. */
 static int list_entries(struct dem_grid *g, const struct dem_domain *d,
-                        const struct dem_particles *p, double shift[DEM_SHIFTS][4],
+                        const struct dem_particles *particles, double shift[DEM_SHIFTS][4],
                         struct box *all)
 {
     const double reach = g->gap + g->level[g->levels - 1].radius;
-    const struct box owned = owned_box(p);
+    const struct box owned = owned_box(particles);
 
     choose_axes(g, &owned);
     *all = empty_box;
     g->entries = 0;
     DEM_TRY(DEM_GROW(g->unsorted, g->unsorted_capacity,
-                     p->n + p->ghosts + p->n/4 + DEM_SHIFTS));
-    for (size_t i = 0; i < p->n + p->ghosts; i++)
+                     particles->n + particles->ghosts + particles->n/4 + DEM_SHIFTS));
+    for (size_t i = 0; i < particles->n + particles->ghosts; i++)
     {
-        const struct dem_particle *const r = &p->record[i];
+        const struct dem_particle *const r = &particles->record[i];
         struct dem_grid_entry e = {.particle = (uint32_t)i, .shift = DEM_SHIFT_NONE};
         unsigned inside[3];
 
@@ -237,16 +238,16 @@ static int reserve_entries(struct dem_grid *g)
 }
 
 /* Position of an entry [m]. */
-static void position_of(const struct dem_particles *p, double shift[DEM_SHIFTS][4],
+static void position_of(const struct dem_particles *particles, double shift[DEM_SHIFTS][4],
                         const struct dem_grid_entry *e, double x[3])
 {
     for (int k = 0; k < 3; k++)
     {
-        x[k] = p->record[e->particle].x[k] + shift[e->shift][k];
+        x[k] = particles->record[e->particle].x[k] + shift[e->shift][k];
     }
 }
 
-static void put_entries(struct dem_grid *g, const struct dem_particles *p,
+static void put_entries(struct dem_grid *g, const struct dem_particles *particles,
                         double shift[DEM_SHIFTS][4])
 {
     double x[3];
@@ -256,24 +257,24 @@ static void put_entries(struct dem_grid *g, const struct dem_particles *p,
         const struct dem_grid_entry *const from = &g->unsorted[k];
         const uint32_t e = g->start[from->cell + 1]++;
 
-        position_of(p, shift, from, x);
+        position_of(particles, shift, from, x);
         g->x[e] = (float)(x[g->axis[0]] - g->origin[g->axis[0]]);
         g->y[e] = (float)(x[g->axis[1]] - g->origin[g->axis[1]]);
         g->z[e] = (float)(x[g->axis[2]] - g->origin[g->axis[2]]);
-        g->radius[e] = (float)p->record[from->particle].radius;
+        g->radius[e] = (float)particles->record[from->particle].radius;
         g->particle[e] = from->particle;
         g->shift[e] = from->shift;
     }
 }
 
-int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d, const struct dem_particles *p,
-                  double shift[DEM_SHIFTS][4])
+int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d,
+                  const struct dem_particles *particles, double shift[DEM_SHIFTS][4])
 {
     const struct dem_grid_level *const last = &g->level[g->levels - 1];
     struct box all;
     double x[3];
 
-    DEM_TRY(list_entries(g, d, p, shift, &all));
+    DEM_TRY(list_entries(g, d, particles, shift, &all));
     DEM_TRY(size_levels(g, &all));
     DEM_TRY(reserve_entries(g));
     find_slack(g, &all);
@@ -281,7 +282,7 @@ int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d, const struct d
     {
         struct dem_grid_entry *const to = &g->unsorted[e];
 
-        position_of(p, shift, to, x);
+        position_of(particles, shift, to, x);
         to->cell = (uint32_t)cell_of(g, &g->level[to->level], x);
         g->start[to->cell + 2]++;
     }
@@ -291,7 +292,7 @@ int dem_grid_fill(struct dem_grid *g, const struct dem_domain *d, const struct d
                     last->first +
                         (size_t)last->cells[0]*(size_t)last->cells[1]*(size_t)last->cells[2] +
                         1);
-    put_entries(g, p, shift);
+    put_entries(g, particles, shift);
     return DEM_OK;
 }
 

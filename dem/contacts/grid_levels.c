@@ -30,14 +30,15 @@ struct count
 };
 
 /* Volume of the bounding box of the particles; returns the smallest radius [m]. */
-static double smallest_radius(struct count *c, const struct dem_particles *p, double max_radius)
+static double smallest_radius(struct count *c, const struct dem_particles *particles,
+                              double max_radius)
 {
     double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY},
            smallest = max_radius;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
-        const struct dem_particle *const r = &p->record[i];
+        const struct dem_particle *const r = &particles->record[i];
 
         smallest = r->radius < smallest ? r->radius : smallest;
         for (int k = 0; k < 3; k++)
@@ -54,13 +55,13 @@ static double smallest_radius(struct count *c, const struct dem_particles *p, do
     return smallest;
 }
 
-static void count_radii(struct count *c, const struct dem_particles *p, double max_radius)
+static void count_radii(struct count *c, const struct dem_particles *particles, double max_radius)
 {
     memset(c->n, 0, sizeof c->n);
     memset(c->radius, 0, sizeof c->radius);
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
-        const double radius = p->record[i].radius;
+        const double radius = particles->record[i].radius;
         int binary;
         const double mantissa = frexp(max_radius/radius, &binary);  /* in [0.5, 1) */
         const int steps = 2*(binary - 1) + (mantissa > 0.70710678118654752);
@@ -163,16 +164,16 @@ static int best_levels(const struct count *c, struct level *level, double gap)
 }
 
 /* Ghosts may be larger than all owned particles: they get a level of their own when needed. */
-void dem_grid_choose_levels(struct dem_grid *g, const struct dem_particles *p, double max_radius,
-                            double gap)
+void dem_grid_choose_levels(struct dem_grid *g, const struct dem_particles *particles,
+                            double max_radius, double gap)
 {
     struct level level[DEM_GRID_LEVELS] = {{.radius = max_radius}};
     struct count c;
     int levels = 1;
 
-    if (p->n > 0 && smallest_radius(&c, p, max_radius) < 0.5*max_radius)
+    if (particles->n > 0 && smallest_radius(&c, particles, max_radius) < 0.5*max_radius)
     {
-        count_radii(&c, p, max_radius);
+        count_radii(&c, particles, max_radius);
         levels = best_levels(&c, level, gap);
     }
     g->gap = gap;

@@ -16,12 +16,12 @@ enum
 };
 
 /* Sort the particles of one cell by id. `key`: capacity 2 count, `index`: capacity count. */
-static void sort_cell(const struct dem_particles *p, uint32_t *order, uint32_t count, uint64_t *key,
-                      uint32_t *index)
+static void sort_cell(const struct dem_particles *particles, uint32_t *order, uint32_t count,
+                      uint64_t *key, uint32_t *index)
 {
     for (uint32_t k = 0; count > INSERTION_LIMIT && k < count; k++)
     {
-        key[k] = (uint64_t)p->record[order[k]].id;
+        key[k] = (uint64_t)particles->record[order[k]].id;
     }
     if (count > INSERTION_LIMIT)
     {
@@ -32,7 +32,7 @@ static void sort_cell(const struct dem_particles *p, uint32_t *order, uint32_t c
         const uint32_t here = order[k];
         uint32_t m = k;
 
-        for (; m > 0 && p->record[order[m - 1]].id > p->record[here].id; m--)
+        for (; m > 0 && particles->record[order[m - 1]].id > particles->record[here].id; m--)
         {
             order[m] = order[m - 1];
         }
@@ -40,7 +40,7 @@ static void sort_cell(const struct dem_particles *p, uint32_t *order, uint32_t c
     }
 }
 
-static int sort_cells(const struct dem_particles *p, uint32_t *order, const uint32_t *end,
+static int sort_cells(const struct dem_particles *particles, uint32_t *order, const uint32_t *end,
                       size_t cells)
 {
     uint64_t *key = NULL;
@@ -60,7 +60,7 @@ static int sort_cells(const struct dem_particles *p, uint32_t *order, const uint
     {
         const uint32_t first = c > 0 ? end[c - 1] : 0;
 
-        sort_cell(p, order + first, end[c] - first, key, index);
+        sort_cell(particles, order + first, end[c] - first, key, index);
     }
     dem_memory_free(key);
     dem_memory_free(index);
@@ -100,12 +100,12 @@ static uint32_t index_in_columns(const struct columns *s, int layers, const int 
                       (size_t)(c[0]%s->wide[0]));
 }
 
-int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *order)
+int dem_grid_order(struct dem_grid *g, const struct dem_particles *particles, uint32_t *order)
 {
     struct dem_grid_level l = g->level[0];
     uint32_t *start = NULL, *cell = NULL;
 
-    dem_grid_fit(g, &l, p);
+    dem_grid_fit(g, &l, particles);
 
     const struct columns s = columns_of(&l);
     const size_t cells = (size_t)s.n[0]*(size_t)s.wide[0]*(size_t)s.n[1]*(size_t)s.wide[1]*
@@ -114,24 +114,24 @@ int dem_grid_order(struct dem_grid *g, const struct dem_particles *p, uint32_t *
 
     int status = DEM_NEW(start, cells + 1);
 
-    status = status ? status : DEM_NEW(cell, p->n + 1);
+    status = status ? status : DEM_NEW(cell, particles->n + 1);
     if (status)
     {
         dem_memory_free(start);
         return status;
     }
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
-        dem_grid_cells(g, &l, p->record[i].x, c);
+        dem_grid_cells(g, &l, particles->record[i].x, c);
         cell[i] = index_in_columns(&s, l.cells[2], c);
         start[cell[i] + 1]++;
     }
     dem_grid_starts(start, cells);
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
         order[start[cell[i]]++] = (uint32_t)i;            /* starts become ends */
     }
-    status = sort_cells(p, order, start, cells);
+    status = sort_cells(particles, order, start, cells);
     dem_memory_free(start);
     dem_memory_free(cell);
     return status;

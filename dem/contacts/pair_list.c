@@ -25,8 +25,8 @@ size_t dem_pair_list_bytes(const struct dem_pair_list *c)
 
 /* The order of a particle's sum: partner id, then image; walls after all particles, by facet (the
    list of wall neighbors is in that order). */
-static int comes_later(const struct dem_pair_list *c, const struct dem_particles *p, uint32_t a,
-                       uint32_t b)
+static int comes_later(const struct dem_pair_list *c, const struct dem_particles *particles,
+                       uint32_t a, uint32_t b)
 {
     const struct dem_pair *const s = &c->pair[a >> 1], *const t = &c->pair[b >> 1];
 
@@ -34,12 +34,13 @@ static int comes_later(const struct dem_pair_list *c, const struct dem_particles
     {
         return s->wall > t->wall || (s->wall && t->wall && s->j > t->j);
     }
-    const int64_t is = p->record[a & 1 ? s->i : s->j].id, it = p->record[b & 1 ? t->i : t->j].id;
+    const int64_t is = particles->record[a & 1 ? s->i : s->j].id,
+                  it = particles->record[b & 1 ? t->i : t->j].id;
 
     return is > it || (is == it && s->shift > t->shift);
 }
 
-static void sort_by_insertion(const struct dem_pair_list *c, const struct dem_particles *p,
+static void sort_by_insertion(const struct dem_pair_list *c, const struct dem_particles *particles,
                               uint32_t *entry, uint32_t count)
 {
     for (uint32_t k = 1; k < count; k++)
@@ -47,7 +48,7 @@ static void sort_by_insertion(const struct dem_pair_list *c, const struct dem_pa
         const uint32_t here = entry[k];
         uint32_t m = k;
 
-        for (; m > 0 && comes_later(c, p, entry[m - 1], here); m--)
+        for (; m > 0 && comes_later(c, particles, entry[m - 1], here); m--)
         {
             entry[m] = entry[m - 1];
         }
@@ -57,14 +58,15 @@ static void sort_by_insertion(const struct dem_pair_list *c, const struct dem_pa
 
 /* The same in linear time: a large particle may have thousands of small neighbours. `pair`:
    capacity 2 count. */
-static void sort_by_radix(const struct dem_pair_list *c, const struct dem_particles *p,
+static void sort_by_radix(const struct dem_pair_list *c, const struct dem_particles *particles,
                           uint32_t *entry, uint32_t count, struct dem_sort_pair *pair)
 {
     for (uint32_t k = 0; k < count; k++)
     {
         const struct dem_pair *const q = &c->pair[entry[k] >> 1];
         const uint64_t other =
-            q->wall ? (uint64_t)1 << 63 | q->j : (uint64_t)p->record[entry[k] & 1 ? q->i : q->j].id;
+            q->wall ? (uint64_t)1 << 63 | q->j
+                    : (uint64_t)particles->record[entry[k] & 1 ? q->i : q->j].id;
 
         pair[k] =
             (struct dem_sort_pair){.hi = other, .lo = q->wall ? 0 : q->shift, .index = entry[k]};
@@ -76,7 +78,7 @@ static void sort_by_radix(const struct dem_pair_list *c, const struct dem_partic
     }
 }
 
-static int sort_entries(struct dem_pair_list *c, const struct dem_particles *p)
+static int sort_entries(struct dem_pair_list *c, const struct dem_particles *particles)
 {
     /* limit of insertion sort; equal spheres: about 15 */
     enum { INSERTION_LIMIT = 32 };
@@ -84,14 +86,14 @@ static int sort_entries(struct dem_pair_list *c, const struct dem_particles *p)
     struct dem_sort_pair *pair = NULL;
     size_t capacity = 0;
 
-    for (size_t i = 0; i < p->n; i++)
+    for (size_t i = 0; i < particles->n; i++)
     {
         uint32_t *const entry = c->entry + c->start[i];
         const uint32_t count = c->start[i + 1] - c->start[i];
 
         if (count <= INSERTION_LIMIT)
         {
-            sort_by_insertion(c, p, entry, count);
+            sort_by_insertion(c, particles, entry, count);
             continue;
         }
         const int grown = DEM_GROW(pair, capacity, 2*(size_t)count);
@@ -101,15 +103,15 @@ static int sort_entries(struct dem_pair_list *c, const struct dem_particles *p)
             dem_memory_free(pair);
             return grown;
         }
-        sort_by_radix(c, p, entry, count, pair);
+        sort_by_radix(c, particles, entry, count, pair);
     }
     dem_memory_free(pair);
     return DEM_OK;
 }
 
-int dem_pair_list_build_adjacency(struct dem_pair_list *c, const struct dem_particles *p)
+int dem_pair_list_build_adjacency(struct dem_pair_list *c, const struct dem_particles *particles)
 {
-    const size_t n = p->n, capacity = dem_memory_capacity(c->start_capacity, n + 2);
+    const size_t n = particles->n, capacity = dem_memory_capacity(c->start_capacity, n + 2);
 
     DEM_TRY(DEM_RESIZE(c->start, c->start_capacity, capacity));
     c->start_capacity = capacity;
@@ -149,5 +151,5 @@ int dem_pair_list_build_adjacency(struct dem_pair_list *c, const struct dem_part
             c->entry[c->start[q->j + 1]++] = (uint32_t)(2*k + 1);
         }
     }
-    return sort_entries(c, p);
+    return sort_entries(c, particles);
 }

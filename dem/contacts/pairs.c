@@ -70,18 +70,18 @@ size_t dem_pairs_bytes(const struct dem_pairs *s)
            s->wall_search.image_capacity*sizeof *s->wall_search.image;
 }
 
-int dem_pairs_order(struct dem_pairs *s, struct dem_particles *p)
+int dem_pairs_order(struct dem_pairs *s, struct dem_particles *particles)
 {
     struct dem_grid g = {0};
     uint32_t *order;
 
-    dem_grid_choose_levels(&g, p, s->max_radius, s->outer);
-    DEM_TRY(DEM_NEW(order, p->n + 1));
-    const int status = dem_grid_order(&g, p, order);
+    dem_grid_choose_levels(&g, particles, s->max_radius, s->outer);
+    DEM_TRY(DEM_NEW(order, particles->n + 1));
+    const int status = dem_grid_order(&g, particles, order);
 
     if (!status)
     {
-        dem_particles_reorder(p, order, p->n);
+        dem_particles_reorder(particles, order, particles->n);
     }
     dem_memory_free(order);
     return status;
@@ -102,10 +102,11 @@ int dem_pairs_check_counts(size_t particles, size_t pairs)
 
 /* ---- pruning --------------------------------------------------------------------------------- */
 
-static int is_pair_near(const struct dem_pairs *s, const struct dem_particles *p,
+static int is_pair_near(const struct dem_pairs *s, const struct dem_particles *particles,
                         const struct dem_pair *q)
 {
-    const struct dem_particle *const i = &p->record[q->i], *const j = &p->record[q->j];
+    const struct dem_particle *const i = &particles->record[q->i],
+                              *const j = &particles->record[q->j];
     const double *const shift = s->shift[q->shift];
     const double dx = i->x[0] - j->x[0] + shift[0], dy = i->x[1] - j->x[1] + shift[1],
                  dz = i->x[2] - j->x[2] + shift[2];
@@ -114,17 +115,17 @@ static int is_pair_near(const struct dem_pairs *s, const struct dem_particles *p
     return dx*dx + dy*dy + dz*dz < reach*reach;
 }
 
-static int is_wall_near(const struct dem_pairs *s, const struct dem_particles *p,
+static int is_wall_near(const struct dem_pairs *s, const struct dem_particles *particles,
                         const struct dem_walls *w, const struct dem_pair *q)
 {
-    const struct dem_particle *const i = &p->record[q->i];
+    const struct dem_particle *const i = &particles->record[q->i];
 
     return dem_wall_search_distance(&s->wall_search, w, &s->wall_search.neighbor[q->j], i->x) <
            i->radius + s->inner;
 }
 
-int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w,
-                    struct dem_contacts *c)
+int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *particles,
+                    const struct dem_walls *w, struct dem_contacts *c)
 {
     uint8_t *near;
 
@@ -132,14 +133,14 @@ int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *p, const st
     DEM_TRY(DEM_NEW(near, c->pairs.n + 1));
     for (size_t k = 0; k < c->pairs.n; k++)
     {
-        near[k] = (uint8_t)(c->pairs.pair[k].wall ? is_wall_near(s, p, w, &c->pairs.pair[k])
-                                            : is_pair_near(s, p, &c->pairs.pair[k]));
+        near[k] = (uint8_t)(c->pairs.pair[k].wall ? is_wall_near(s, particles, w, &c->pairs.pair[k])
+                                            : is_pair_near(s, particles, &c->pairs.pair[k]));
     }
-    const int status = dem_contacts_prune(c, p, near);
+    const int status = dem_contacts_prune(c, particles, near);
 
     dem_memory_free(near);
     DEM_TRY(status);
     dem_skins_list_made(&s->skins, DEM_LIST_INNER);
-    return dem_displacement_begin(&s->displacement[DEM_LIST_INNER], p,
+    return dem_displacement_begin(&s->displacement[DEM_LIST_INNER], particles,
                                   s->skins.skin[DEM_LIST_INNER]);
 }

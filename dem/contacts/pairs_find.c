@@ -321,15 +321,16 @@ static struct dem_facet_key facet_key(const struct dem_walls *w,
     return key;
 }
 
-static int wall_pairs(struct dem_pairs *s, const struct dem_particles *p, const struct dem_walls *w,
+static int wall_pairs(struct dem_pairs *s, const struct dem_particles *particles,
+                      const struct dem_walls *w,
                       const struct dem_interaction_table *r, struct dem_contacts *c)
 {
-    DEM_TRY(dem_wall_search_find(&s->wall_search, w, p, s->outer));
+    DEM_TRY(dem_wall_search_find(&s->wall_search, w, particles, s->outer));
     DEM_TRY(DEM_GROW(s->wall_facet, s->wall_facet_capacity, s->wall_search.neighbors));
     for (size_t k = 0; k < s->wall_search.neighbors; k++)
     {
         const struct dem_wall_neighbor *const near = &s->wall_search.neighbor[k];
-        const struct dem_particle *const me = &p->record[near->particle];
+        const struct dem_particle *const me = &particles->record[near->particle];
         const struct dem_wall *const wall = &w->wall[w->facet[near->facet].wall];
         const int *const class = r->class_of[DEM_PARTNER_WALL + wall->frictionless][me->material];
 
@@ -429,37 +430,40 @@ static int find(struct finder *f, const struct dem_domain *d)
     return DEM_OK;
 }
 
-int dem_pairs_search(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p,
+int dem_pairs_search(struct dem_pairs *s, const struct dem_domain *d,
+                     const struct dem_particles *particles,
                      const struct dem_interaction_table *r, struct dem_contacts *c)
 {
-    struct finder f = {.s = s, .p = p, .r = r, .c = c, .g = &s->grid};
-    const size_t before = c->pairs.n, usual = 3*p->n;    /* a little less than in a settled bed */
+    struct finder f = {.s = s, .p = particles, .r = r, .c = c, .g = &s->grid};
+    /* usual: a little less than in a settled bed */
+    const size_t before = c->pairs.n, usual = 3*particles->n;
 
     c->pairs.n = 0;
-    DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, 0));
-    dem_grid_choose_levels(&s->grid, p, s->max_radius, s->outer);
+    DEM_TRY(dem_pairs_check_counts(particles->n + particles->ghosts, 0));
+    dem_grid_choose_levels(&s->grid, particles, s->max_radius, s->outer);
     const int ready = reserve(c, before > usual ? before : usual),
-              status = ready || p->n == 0 ? ready : find(&f, d);
+              status = ready || particles->n == 0 ? ready : find(&f, d);
 
     dem_memory_free(f.hit);
     return status;
 }
 
-int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d, const struct dem_particles *p,
+int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d,
+                   const struct dem_particles *particles,
                    const struct dem_walls *w, const struct dem_interaction_table *r,
                    struct dem_contacts *c)
 {
-    DEM_TRY(dem_pairs_search(s, d, p, r, c));
+    DEM_TRY(dem_pairs_search(s, d, particles, r, c));
     dem_grid_free(&s->grid);      /* a run searches rarely */
-    DEM_TRY(wall_pairs(s, p, w, r, c));
-    DEM_TRY(dem_pairs_check_counts(p->n + p->ghosts, c->pairs.n));
+    DEM_TRY(wall_pairs(s, particles, w, r, c));
+    DEM_TRY(dem_pairs_check_counts(particles->n + particles->ghosts, c->pairs.n));
     /* all rows of a particle are contiguous and in the order of particles: searches across levels
        or periodic faces find some of them late */
-    DEM_TRY(sort_by(c, first_of, p->n));
+    DEM_TRY(sort_by(c, first_of, particles->n));
     DEM_TRY(sort_by(c, class_of, (size_t)c->rows.classes));
     DEM_TRY(shrink(c));
-    DEM_TRY(dem_pair_list_build_adjacency(&c->pairs, p));
+    DEM_TRY(dem_pair_list_build_adjacency(&c->pairs, particles));
     dem_skins_list_made(&s->skins, DEM_LIST_OUTER);
-    return dem_displacement_begin(&s->displacement[DEM_LIST_OUTER], p,
+    return dem_displacement_begin(&s->displacement[DEM_LIST_OUTER], particles,
                                   s->skins.skin[DEM_LIST_OUTER]);
 }

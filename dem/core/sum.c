@@ -74,19 +74,6 @@ void dem_sum_add(struct dem_sum *s, double value)
     }
 }
 
-void dem_sum_merge(struct dem_sum *s, const struct dem_sum *other)
-{
-    struct dem_sum o = *other;
-
-    dem_sum_normalise(&o);
-    dem_sum_normalise(s);
-    for (int i = 0; i < DEM_SUM_PARTS; i++)
-    {
-        s->part[i] += o.part[i];
-    }
-    s->part[DEM_SUM_ADDED] = 1;
-}
-
 static double from_bits(uint64_t bits)
 {
     double value;

@@ -40,7 +40,6 @@ struct dem_sum
 
 void dem_sum_clear(struct dem_sum *s);
 void dem_sum_add(struct dem_sum *s, double value);    /* any double; any number of times */
-void dem_sum_merge(struct dem_sum *s, const struct dem_sum *other);    /* s += other */
 /* propagate carries; then up to 2^30 ranks may be added */
 void dem_sum_normalise(struct dem_sum *s);
 

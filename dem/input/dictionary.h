@@ -91,8 +91,6 @@ int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *uni
                      const double (**values)[3], size_t *n);
 int dem_dict_words(const struct dem_dict *d, const char *name, const char *const **words,
                    size_t *n);
-int dem_dict_dicts(const struct dem_dict *d, const char *name, const struct dem_dict *const **dicts,
-                   size_t *n);
 
 /* Fill a struct from its table of settings: defaults, then the entries of d; an error when a
    required setting is missing. */

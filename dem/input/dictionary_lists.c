@@ -1,6 +1,6 @@
 /*
- * dictionary_lists.c -- read lists of a dictionary (numbers, vectors, words, dictionaries) and
- * whole structs by their settings table.
+ * dictionary_lists.c -- read lists of a dictionary (numbers, vectors, words) and whole structs by
+ * their settings table.
  *
  * A list is ( ... ); OpenFOAM may write it with its type and length in front, List<scalar> 3 ( ...
  * ). A length that differs from the number of items is refused, because a part of the list was lost
@@ -60,18 +60,6 @@ static bool take_vector(struct dem_cursor *c, void *items, size_t i)
 static bool take_word(struct dem_cursor *c, void *items, size_t i)
 {
     return dem_dict_take_word(c, (const char **)items + i);
-}
-
-static bool take_dict(struct dem_cursor *c, void *items, size_t i)
-{
-    const bool there = c->at < c->end && c->at->dict;
-
-    if (there)
-    {
-        ((const struct dem_dict **)items)[i] = c->at->dict;
-    }
-    c->at += there;
-    return there;
 }
 
 /* The properties of a kind of list. */
@@ -156,20 +144,6 @@ int dem_dict_words(const struct dem_dict *d, const char *name, const char *const
     DEM_TRY(dem_dict_require(d, name, "", &e));
     DEM_TRY(read_list(e, &kind, "", &items, n));
     *words = items;
-    return DEM_OK;
-}
-
-int dem_dict_dicts(const struct dem_dict *d, const char *name, const struct dem_dict *const **dicts,
-                   size_t *n)
-{
-    static const struct kind kind = {"a list of dictionaries ( { ... } name { ... } )", take_dict,
-                                     sizeof(struct dem_dict *)};
-    const struct dem_entry *e;
-    void *items;
-
-    DEM_TRY(dem_dict_require(d, name, "", &e));
-    DEM_TRY(read_list(e, &kind, "", &items, n));
-    *dicts = items;
     return DEM_OK;
 }
 

@@ -215,27 +215,27 @@ struct dem_body_batch
     /* kg     added mass, set at the start of a coupling window */
     _Alignas(64) double added_mass[DEM_BATCH_ROWS];
 
-    /* ---- results, cleared by the caller: force = f + r + bu - b v, integrated exactly in v ---- */
+    /* ---- results, cleared by the caller ---- */
     /* N      explicit force */
     _Alignas(64) double fx[DEM_BATCH_ROWS];
     _Alignas(64) double fy[DEM_BATCH_ROWS];
     _Alignas(64) double fz[DEM_BATCH_ROWS];
-    /* kg/s   drag coefficient, >= 0 */
-    _Alignas(64) double b[DEM_BATCH_ROWS];
+    /* kg/s   drag coefficient, >= 0: drag force = drag_u - drag v, integrated exactly in v */
+    _Alignas(64) double drag[DEM_BATCH_ROWS];
     /* N      drag coefficient times its target velocity */
-    _Alignas(64) double bux[DEM_BATCH_ROWS];
-    _Alignas(64) double buy[DEM_BATCH_ROWS];
-    _Alignas(64) double buz[DEM_BATCH_ROWS];
+    _Alignas(64) double drag_ux[DEM_BATCH_ROWS];
+    _Alignas(64) double drag_uy[DEM_BATCH_ROWS];
+    _Alignas(64) double drag_uz[DEM_BATCH_ROWS];
     /* N      explicit force whose opposite acts on the fluid (effects that `react`) */
     _Alignas(64) double rx[DEM_BATCH_ROWS];
     _Alignas(64) double ry[DEM_BATCH_ROWS];
     _Alignas(64) double rz[DEM_BATCH_ROWS];
-    /* N m s  rotational drag coefficient, >= 0, integrated exactly in the spin */
-    _Alignas(64) double t[DEM_BATCH_ROWS];
+    /* N m s  rotational drag coefficient, >= 0, integrated exactly in the spin likewise */
+    _Alignas(64) double spin_drag[DEM_BATCH_ROWS];
     /* N m    rotational drag coefficient times its target spin */
-    _Alignas(64) double tx[DEM_BATCH_ROWS];
-    _Alignas(64) double ty[DEM_BATCH_ROWS];
-    _Alignas(64) double tz[DEM_BATCH_ROWS];
+    _Alignas(64) double spin_drag_wx[DEM_BATCH_ROWS];
+    _Alignas(64) double spin_drag_wy[DEM_BATCH_ROWS];
+    _Alignas(64) double spin_drag_wz[DEM_BATCH_ROWS];
 };
 
 #endif

@@ -150,7 +150,7 @@ struct dem_effect
     int has_reaction;
     /* FLUID only: 1: prepare_bodies sets an added mass */
     int has_added_mass;
-    /* FLUID only: 1: it sets a rotational drag (t, tx ty tz) */
+    /* FLUID only: 1: it sets a rotational drag (spin_drag) */
     int has_rotational_drag;
     /* FLUID only: 1: the force of the full pressure gradient, which contains buoyancy */
     int has_pressure_gradient;

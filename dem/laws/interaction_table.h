@@ -60,14 +60,16 @@ struct dem_effect_list
     const struct dem_fused_kernel *kernel;
     int fused;
     struct dem_pair_class pair;
-    unsigned needs;               /* enum dem_needs, or-ed */
-    int moments, past_touching;   /* 1: has effects of MOMENT or BOND; effects that act
-                                     across a gap */
-    int scalars;                  /* 1: has effects with particle scalars */
-    int grains;                   /* 1: has effects on the grains of parcels, */
-    int parcel_scalar;            /* whose ratio is this scalar */
-    int whole_drag;               /* bodies; 1: drag is divided by the void fraction, see
-                                     dem_fluid_whole_drag */
+    /* enum dem_needs, or-ed */
+    unsigned needs;
+    /* 1: has effects of MOMENT or BOND; effects that act across a gap */
+    int moments, past_touching;
+    /* 1: has effects with particle scalars */
+    int scalars;
+    /* 1: has effects on the grains of parcels; the scalar that is their ratio */
+    int grains, parcel_scalar;
+    /* bodies; 1: drag is divided by the void fraction, see dem_fluid_whole_drag */
+    int whole_drag;
 };
 
 /* a setting for one pair of materials only */
@@ -77,43 +79,58 @@ struct dem_interaction_table
 {
     int materials;
     struct dem_material material[DEM_MATERIALS];
-    double min_radius[DEM_MATERIALS];               /* m, of the particles of a
-                                                       material; 0: none present */
-    double max_radius[DEM_MATERIALS];               /* m */
-    int chosen;                                     /* number of effects, in the order of stages */
+    /* m, of the particles of a material; 0: none present */
+    double min_radius[DEM_MATERIALS];
+    /* m */
+    double max_radius[DEM_MATERIALS];
+    /* number of effects, in the order of stages */
+    int chosen;
     const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];
-    void *settings[DEM_EFFECT_LIST_LIMIT];          /* as set for all pairs */
-    double fluid_density;                           /* kg/m3, of the run; 0: none, not uniform */
+    /* as set for all pairs */
+    void *settings[DEM_EFFECT_LIST_LIMIT];
+    /* kg/m3, of the run; 0: none, not uniform */
+    double fluid_density;
     int overrides;
     struct dem_override *override;
-    int motionless;                                 /* 1: all particles are frozen: only effects
-                                                       with scalars limit the time step */
-    int scalars;                                    /* number of particle scalars, */
-    int listed;                                     /* the first of them: those in lists of effects;
-                                                       the others fill columns of batches */
+    /* 1: all particles are frozen: only effects with scalars limit the time step */
+    int motionless;
+    /* number of particle scalars */
+    int scalars;
+    /* so many, the first ones, are in lists of effects; the others fill columns of batches */
+    int listed;
     const struct dem_scalar *scalar[DEM_SCALARS];
-    int exchanged[DEM_SCALARS];                     /* 1: with a fluid or the program */
+    /* 1: with a fluid or the program */
+    int exchanged[DEM_SCALARS];
     struct dem_parcels_entry parcels;
 
     /* after freeze */
-    int classes;                                    /* pair classes first, wall classes last */
+    /* pair classes first, wall classes last */
+    int classes;
     struct dem_effect_list *list;
     struct dem_effect_list bodies;
-    int class_of[DEM_PARTNERS][DEM_MATERIALS][DEM_MATERIALS];  /* [enum dem_partner][particle
-                                                                  material][other material], -1:
-                                                                  none */
+    /* [enum dem_partner][particle material][other material], -1: none */
+    int class_of[DEM_PARTNERS][DEM_MATERIALS][DEM_MATERIALS];
     int history_columns;
-    const char *history_name[DEM_HISTORY_COLUMNS];  /* names of the history columns */
-    unsigned needs;                                 /* of all effect lists, or-ed */
-    double capacity[DEM_SCALARS][DEM_MATERIALS];    /* C of a scalar per mass; 0: C is 1 */
-    int moments, past_touching;                     /* 1: some effect list has it */
-    int contact_scalars;                            /* 1: some list of contact effects has scalars */
-    double reach;                                   /* m past touching, the
-                                                       largest of all effects */
-    double step_limit;                              /* s: limit of the time step */
-    char why[160];                                  /* the criterion that gives it */
-    double next_limit;                              /* s: second smallest limit */
-    char next_why[160];                             /* the criterion that gives it */
+    /* names of the history columns */
+    const char *history_name[DEM_HISTORY_COLUMNS];
+    /* of all effect lists, or-ed */
+    unsigned needs;
+    /* C of a scalar per mass; 0: C is 1 */
+    double capacity[DEM_SCALARS][DEM_MATERIALS];
+    /* 1: some effect list has it */
+    int moments, past_touching;
+    /* 1: some list of contact effects has scalars */
+    int contact_scalars;
+    /* m past touching, the largest of all effects */
+    double reach;
+    /* s: limit of the time step */
+    double step_limit;
+    /* the criterion that gives it */
+    char why[160];
+    /* s: second smallest limit */
+    double next_limit;
+    /* the criterion that gives it */
+    char next_why[160];
 };
 
 void dem_interaction_table_init(struct dem_interaction_table *);

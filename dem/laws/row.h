@@ -1,9 +1,10 @@
 /*
- * row.h -- one row of the contact batch in registers, and the loop of a law over a batch.
+ * row.h -- one row of the contact batch in registers.
  *
  * The arithmetic of a contact law is written once, on one row: dem_<law>_row(settings, row,
- * history). DEM_CONTACT_LOOP makes the law's own loop of it; laws/fused puts the rows of several
- * laws into one loop. Columns that a law does not read cost nothing: the compiler drops the loads.
+ * history). The template laws/contact_loop.h makes the law's own loop of it; laws/fused puts the
+ * rows of several laws into one loop. Columns that a law does not read cost nothing: the compiler
+ * drops the loads.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -96,7 +97,7 @@ DEM_MATH void dem_history_clear_apart(const struct dem_contact_row *r, int colum
 #undef DEM_HISTORY_CLEAR
 }
 
-/* ---- the loop of a law ------------------------------------------------------------------------- */
+/* ---- loops ----------------------------------------------------------------------------------- */
 
 /* the rows of a batch do not depend on each other, and history columns do not overlap it */
 #if defined(__clang__)
@@ -105,60 +106,86 @@ DEM_MATH void dem_history_clear_apart(const struct dem_contact_row *r, int colum
 #define DEM_INDEPENDENT_ROWS _Pragma("GCC ivdep")
 #endif
 
-/* b->x[c] = r.x for each of up to ten columns */
-#define DEM_STORE_1(x) b->x[c] = r.x;
-#define DEM_STORE_2(x, ...) DEM_STORE_1(x) DEM_STORE_1(__VA_ARGS__)
-#define DEM_STORE_3(x, ...) DEM_STORE_1(x) DEM_STORE_2(__VA_ARGS__)
-#define DEM_STORE_4(x, ...) DEM_STORE_1(x) DEM_STORE_3(__VA_ARGS__)
-#define DEM_STORE_5(x, ...) DEM_STORE_1(x) DEM_STORE_4(__VA_ARGS__)
-#define DEM_STORE_6(x, ...) DEM_STORE_1(x) DEM_STORE_5(__VA_ARGS__)
-#define DEM_STORE_7(x, ...) DEM_STORE_1(x) DEM_STORE_6(__VA_ARGS__)
-#define DEM_STORE_8(x, ...) DEM_STORE_1(x) DEM_STORE_7(__VA_ARGS__)
-#define DEM_STORE_9(x, ...) DEM_STORE_1(x) DEM_STORE_8(__VA_ARGS__)
-#define DEM_STORE_10(x, ...) DEM_STORE_1(x) DEM_STORE_9(__VA_ARGS__)
-#define DEM_STORE_11(x, ...) DEM_STORE_1(x) DEM_STORE_10(__VA_ARGS__)
-#define DEM_STORE_12(x, ...) DEM_STORE_1(x) DEM_STORE_11(__VA_ARGS__)
-#define DEM_STORE_CHOICE(_1, _2, _3, _4, _5, _6, _7, _8, _9, _10, _11, _12, choice, ...) choice
-#define DEM_STORE(...)                                                                         \
-    DEM_STORE_CHOICE(__VA_ARGS__, DEM_STORE_12, DEM_STORE_11, DEM_STORE_10, DEM_STORE_9,       \
-                     DEM_STORE_8, DEM_STORE_7, DEM_STORE_6, DEM_STORE_5, DEM_STORE_4,          \
-                     DEM_STORE_3, DEM_STORE_2, DEM_STORE_1, )(__VA_ARGS__)
+/* columns that a row function sets */
+enum
+{
+    DEM_SETS_KN = 1 << 0,
+    DEM_SETS_KT = 1 << 1,
+    DEM_SETS_ETA = 1 << 2,
+    DEM_SETS_FN = 1 << 3,
+    DEM_SETS_ADHESIVE_FORCE = 1 << 4,
+    DEM_SETS_SCRATCH = 1 << 5,
+    DEM_SETS_FORCE = 1 << 6,      /* fx fy fz */
+    DEM_SETS_MOMENT = 1 << 7,     /* mx my mz */
+    DEM_SETS_STORED = 1 << 8,
+    DEM_SETS_LOST = 1 << 9,
+    DEM_SETS_BONDS = 1 << 10,     /* bonds broke cause */
+    DEM_SETS_REPLACED = 1 << 11   /* bond_replaces overlap touching */
+};
 
-#define DEM_NOTHING_BEFORE(settings, batch) (void)0
-
-/*
- * Define the function `loop` of an effect, e.g. `apply`, from the row function of its law:
- *
- *   DEM_CONTACT_LOOP(apply, dem_hertz, dem_hertz_row, 0, kn, fn)
- *
- * law: tag of the settings struct; columns: number of history columns; then the columns of the batch
- * that the row function sets. The settings are copied, so that they stay in registers.
- */
-#define DEM_CONTACT_LOOP(loop, law, row, columns, ...)                                         \
-    DEM_CONTACT_LOOP_AFTER(DEM_NOTHING_BEFORE, loop, law, row, columns, __VA_ARGS__)
-
-/* The same, after before(settings, batch): what a law computes of the whole batch first. */
-#define DEM_CONTACT_LOOP_AFTER(before, loop, law, row, columns, ...)                           \
-    DEM_KERNEL                                                                                 \
-    static void loop(const void *of, struct dem_contact_batch *restrict b,                     \
-                     double *const *history)                                                   \
-    {                                                                                          \
-        const struct law settings_of_class = *(const struct law *)of;                          \
-        const double inverse_dt = dem_contact_batch_inverse_dt(b);                             \
-                                                                                               \
-        (void)history;                                                                         \
-        before(&settings_of_class, b);                                                         \
-        DEM_INDEPENDENT_ROWS                                                                   \
-        for (int c = 0; c < b->n; c++)                                                         \
-        {                                                                                      \
-            struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
-            double values[DEM_LAW_HISTORY];                                                    \
-                                                                                               \
-            dem_history_load(history, columns, c, values);                                     \
-            row(&settings_of_class, &r, values);                                               \
-            dem_history_store(values, columns, c, history);                                    \
-            DEM_STORE(__VA_ARGS__)                                                             \
-        }                                                                                      \
+/* Row r into row c of the batch. sets, a constant: the other columns cost nothing. */
+DEM_MATH void dem_contact_row_store(const struct dem_contact_row *r, unsigned sets,
+                                    struct dem_contact_batch *restrict b, int c)
+{
+    if (sets & DEM_SETS_KN)
+    {
+        b->kn[c] = r->kn;
     }
+    if (sets & DEM_SETS_KT)
+    {
+        b->kt[c] = r->kt;
+    }
+    if (sets & DEM_SETS_ETA)
+    {
+        b->eta[c] = r->eta;
+    }
+    if (sets & DEM_SETS_FN)
+    {
+        b->fn[c] = r->fn;
+    }
+    if (sets & DEM_SETS_ADHESIVE_FORCE)
+    {
+        b->adhesive_force[c] = r->adhesive_force;
+    }
+    if (sets & DEM_SETS_SCRATCH)
+    {
+        b->scratch[c] = r->scratch;
+    }
+    if (sets & DEM_SETS_FORCE)
+    {
+        b->fx[c] = r->fx;
+        b->fy[c] = r->fy;
+        b->fz[c] = r->fz;
+    }
+    if (sets & DEM_SETS_MOMENT)
+    {
+        b->mx[c] = r->mx;
+        b->my[c] = r->my;
+        b->mz[c] = r->mz;
+    }
+    if (sets & DEM_SETS_STORED)
+    {
+        b->stored[c] = r->stored;
+    }
+    if (sets & DEM_SETS_LOST)
+    {
+        b->lost[c] = r->lost;
+    }
+    if (sets & DEM_SETS_BONDS)
+    {
+        b->bonds[c] = r->bonds;
+        b->broke[c] = r->broke;
+        b->cause[c] = r->cause;
+    }
+    if (sets & DEM_SETS_REPLACED)
+    {
+        b->bond_replaces[c] = r->bond_replaces;
+        b->overlap[c] = r->overlap;
+        b->touching[c] = r->touching;
+    }
+}
+
+#define DEM_JOIN_(a, b) a##b
+#define DEM_JOIN(a, b) DEM_JOIN_(a, b)
 
 #endif

@@ -70,30 +70,39 @@ struct dem_material;
 /* The columns of batches that a scalar fills, at these offsets; 0: none. */
 struct dem_scalar_batch
 {
-    size_t contact;             /* in struct dem_contact_batch: mean of both partners, value of the
-                                   particle at a wall; 0 in the first evaluation of a run */
-    unsigned contact_needs;     /* enum dem_needs: of the contact effects that read it */
-    size_t body;                /* in struct dem_body_batch, with DEM_NEEDS_FLUID */
+    /* in struct dem_contact_batch: mean of both partners, value of the particle at a wall; 0 in the
+       first evaluation of a run */
+    size_t contact;
+    /* enum dem_needs: of the contact effects that read it */
+    unsigned contact_needs;
+    /* in struct dem_body_batch, with DEM_NEEDS_FLUID */
+    size_t body;
 };
 
 struct dem_scalar               /* a row */
 {
-    const char *name;           /* word of scenes, and of the column in files and snapshots */
+    /* word of scenes, and of the column in files and snapshots */
+    const char *name;
     const char *unit;
-    double default_value;       /* of particles without an own; DEM_SETTING_REQUIRED: none */
-    double min, max;            /* limits, inclusive, of the input and of the run; DEM_ABOVE_ZERO as
-                                   min excludes zero */
+    /* of particles without an own; DEM_SETTING_REQUIRED: none */
+    double default_value;
+    /* limits, inclusive, of the input and of the run; DEM_ABOVE_ZERO as min excludes zero */
+    double min, max;
     const char *help;
-    unsigned flags;             /* enum dem_scalar_flag, or-ed */
-    double (*capacity)(const struct dem_material *);    /* C per mass; NULL: C is 1 */
-    const char *capacity_entry; /* the entry of materials that gives it */
-    const char *const *exchange;    /* names of the columns of an exchange; NULL: it has none */
-    const char *fluid_entry;        /* a value of the fluid at the particle: the entry of `fluid` that
-                                       gives it, else the coupled program writes it; 0: not yet
-                                       given. NULL: a value of the particle */
-    struct dem_scalar_batch batch;  /* laws read it there, not in `scalars` of the batch: a value of
-                                       the fluid with a place in the usual batch. Such rows are not
-                                       in the lists of effects, and have no rate */
+    /* enum dem_scalar_flag, or-ed */
+    unsigned flags;
+    /* C per mass; NULL: C is 1 */
+    double (*capacity)(const struct dem_material *);
+    /* the entry of materials that gives it */
+    const char *capacity_entry;
+    /* names of the columns of an exchange; NULL: it has none */
+    const char *const *exchange;
+    /* a value of the fluid at the particle: the entry of `fluid` that gives it, else the coupled
+       program writes it; 0: not yet given. NULL: a value of the particle */
+    const char *fluid_entry;
+    /* laws read it there, not in `scalars` of the batch: a value of the fluid with a place in the
+       usual batch. Such rows are not in the lists of effects, and have no rate */
+    struct dem_scalar_batch batch;
 };
 
 /* A scalar of an effect at the rows of a contact batch, seen as forces are: j is the higher id or
@@ -101,10 +110,12 @@ struct dem_scalar               /* a row */
    particle, so that differences vanish. */
 struct dem_scalar_rows
 {
-    const double *i, *j;          /* unit      values of the partners */
-    double *rate_i, *rate_j;      /* unit C/s  what each receives, to be added to */
-    const double *radius_i, *radius_j;    /* m  of the partners; of the particle for both at a wall
-                                             (with DEM_NEEDS_RADII) */
+    /* unit  values of the partners */
+    const double *i, *j;
+    /* unit C/s what each receives, to be added to */
+    double *rate_i, *rate_j;
+    /* m  of the partners; of the particle for both at a wall (with DEM_NEEDS_RADII) */
+    const double *radius_i, *radius_j;
 };
 
 /* A scalar of an effect at the rows of a body batch. */

@@ -55,6 +55,16 @@ void dem_unagreed_reset(struct dem_unagreed *u)
     u->status = DEM_OK;
 }
 
+int dem_unagreed_keep_error(struct dem_unagreed *u, int status)
+{
+    if (status && !u->status)
+    {
+        u->status = status;
+        snprintf(u->text, sizeof u->text, "%s", dem_error_text());
+    }
+    return u->status ? dem_error(u->status, "%s", u->text) : DEM_OK;
+}
+
 int dem_agree(struct dem_state *p, int status)
 {
     return dem_agree_max(p, status, NULL, 0);

@@ -21,6 +21,9 @@ int dem_agree_max(struct dem_state *, int status, double *value, int n);
 /* Forget the steps since the last agreement: after one, or when the state is restored. */
 void dem_unagreed_reset(struct dem_unagreed *);
 
+/* Keep the first error of this rank until the ranks agree; returns it, with its text. */
+int dem_unagreed_keep_error(struct dem_unagreed *, int status);
+
 /* Collective. The same without numbers. */
 int dem_agree(struct dem_state *, int status);
 

@@ -25,40 +25,73 @@
 #include "walls/wall_touch.h"
 #include <signal.h>
 
-struct dem_limits                                          /* limits check; reset by each query */
+/* limits check; reset by each query */
+struct dem_limits
 {
-    double overlap;      /* 1  largest, relative to the smaller diameter */
-    double max_overlap;  /* 1  the same, maximum of all queries */
-    double limit;        /* 1  a larger overlap ends the run */
-    double max_speed;    /* m/s  a higher speed ends the run; 0: no limit */
-    int64_t i, j;        /* ids of the contact; j is -1 - facet at a wall */
-    double x[3];         /* m  its position */
-    int lawless;         /* 1: no normal law acts in it */
+    /* 1    largest overlap relative to the smaller diameter; the same of all queries */
+    double overlap, max_overlap;
+    /* 1    a larger overlap ends the run */
+    double limit;
+    /* m/s  a higher speed ends the run; 0: no limit */
+    double max_speed;
+    /* ids of the contact with the largest overlap; j is -1 - facet at a wall */
+    int64_t i, j;
+    /* m    its position */
+    double x[3];
+    /* 1: no normal law acts in it */
+    int lawless;
 };
 
 enum
 {
-    DEM_UNAGREED_STEPS = 16       /* after so many steps the ranks agree in any case */
+    /* after so many steps the ranks agree in any case */
+    DEM_UNAGREED_STEPS = 16
 };
 
 /* steps since the ranks agreed last, of this rank */
 struct dem_unagreed
 {
     int n;
-    double moved[DEM_UNAGREED_STEPS];  /* m: largest displacement in each */
-    double bound;                      /* m: bound of their sum on all ranks, from time/maxSpeed;
-                                          infinite without it */
-    int status;                        /* of the first error, and its text */
+    /* m  largest displacement in each */
+    double moved[DEM_UNAGREED_STEPS];
+    /* m  bound of their sum on all ranks, from time/maxSpeed; infinite without it */
+    double bound;
+    /* of the first error, and its text */
+    int status;
     char text[DEM_ERROR_TEXT_SIZE];
+};
+
+/* the coupling window: the steps of one advance */
+struct dem_window
+{
+    /* s  length */
+    double length;
+    /* s  time at its start */
+    double start;
+    /* steps of the run before it; steps of it */
+    int64_t steps_before, steps;
+    /* 1: stopped within it; velocities are half a step ahead */
+    int half_step_ahead;
+    /* value of the stop request at the stop, maximum of ranks */
+    int stopped;
+};
+
+/* the drift of the next step, made within the last one where nothing needed the state between */
+struct dem_next_drift
+{
+    int done;
+    /* m/s  largest speed in it */
+    double max_speed;
 };
 
 /* the program's function that follows an advance; dem_set_progress */
 struct dem_progress
 {
-    void (*report)(void *self, double time, int64_t steps);   /* NULL: none */
+    /* NULL: none */
+    void (*report)(void *self, double time, int64_t steps);
     void *self;
-    double seconds, last;                                     /* s of the clock: between calls, of
-                                                                 the last one */
+    /* s of the clock: between calls; of the last call */
+    double seconds, last;
 };
 
 struct dem_state
@@ -74,42 +107,36 @@ struct dem_state
     struct dem_decomposition decomposition;
     struct dem_halo halo;
     struct dem_limits limits;
-    struct dem_applied_forces applied_forces;  /* of the scene, on chosen particles */
+    /* of the scene, on chosen particles */
+    struct dem_applied_forces applied_forces;
     struct dem_backup backup;
     struct dem_load_balance load_balance;
 
     /* Stores of upper layers, which the step fills for reports; owned by struct
-       dem_attached_stores. */
-    struct dem_grid_averages *averages;           /* records/grid_averages.h */
-    struct dem_flows *flows;                      /* sources/flows.h */
-    struct dem_lost_particles *lost_particles;    /* records/lost_particles.h */
-    struct dem_bonds *bonds;                      /* records/bonds.h */
-    struct dem_wall_statistics *wall_statistics;  /* records/wall_statistics.h */
-    struct dem_energy_balance *energy_balance;    /* records/energy_balance.h */
-    struct dem_timers *timers;                    /* records/timers.h */
+       dem_attached_stores. Headers: sources/flows.h, others records/<name>.h */
+    struct dem_grid_averages *averages;
+    struct dem_flows *flows;
+    struct dem_lost_particles *lost_particles;
+    struct dem_bonds *bonds;
+    struct dem_wall_statistics *wall_statistics;
+    struct dem_energy_balance *energy_balance;
+    struct dem_timers *timers;
 
-    int stale;                                    /* 1: rebuild in the next step; 2: there
-                                                     are no lists of these particles yet */
+    /* s  time of the positions; the last time step; limit of the time step of any window */
+    double time, dt, max_dt;
     int64_t steps, rebuilds, prunes;
-    int64_t agreements;                           /* all-reduces of dem_agree */
+    struct dem_window window;
+    struct dem_next_drift next_drift;
+    /* 1: rebuild the lists in the next step; 2: there are no lists of these particles yet */
+    int stale;
+
+    /* all-reduces of dem_agree */
+    int64_t agreements;
     struct dem_unagreed unagreed;
-    int64_t steps_before, steps_ahead;            /* steps before this window,
-                                                     steps of this window */
-    double time, dt, window;                      /* s; of positions; last step;
-                                                     length of last window */
-    double window_start;                          /* s; start of the last window */
-    int next_drift_done;                          /* 1: the last step included the drift
-                                                     of the next one, because the state
-                                                     between them was not needed */
-    double fastest;                               /* m/s; largest speed in that drift */
-    int half_step_ahead;                          /* 1: stopped within a window;
-                                                     velocities are half a step ahead */
-    const volatile sig_atomic_t *stop_request;    /* not 0: stop after this step;
-                                                     NULL: no such request */
-    struct dem_progress progress;                 /* called during an advance */
-    int stopped;                                  /* value of the request at the
-                                                     stop, maximum of ranks */
-    double max_dt;                                /* s; limit of the time step of any window */
+    /* not 0: stop after this step; NULL: no such request */
+    const volatile sig_atomic_t *stop_request;
+    /* called during an advance */
+    struct dem_progress progress;
 };
 
 #endif

@@ -27,6 +27,14 @@
 #include "ranks/decomposition.h"
 #include "ranks/sparse_exchange.h"
 
+enum
+{
+    /* doubles of the record of a triangle in messages */
+    DEM_WALL_STORE_RECORD = (int)(sizeof(struct dem_wall_record)/sizeof(double))
+};
+_Static_assert(sizeof(struct dem_wall_record)%sizeof(double) == 0,
+               "the record of a triangle is sent as doubles");
+
 struct dem_wall_store
 {
     struct dem_decomposition *decomposition;
@@ -81,5 +89,10 @@ int dem_wall_store_gather(const struct dem_wall_store *, int status, const struc
    their index, on the first rank; `corners` is not used on the others. */
 int dem_wall_store_corners(struct dem_wall_store *, const struct dem_walls *, int wall,
                            double *corners);
+
+/* Collective. Exchange the messages; then `out` and its memory are not needed any more. Read `in`,
+   then drop it. */
+int dem_wall_store_exchange(struct dem_wall_store *, int status);
+void dem_wall_store_drop_received(struct dem_wall_store *);
 
 #endif

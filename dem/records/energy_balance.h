@@ -4,7 +4,7 @@
  *
  *   total = kinetic + gravity + elastic + lost + broken - work of walls
  *           - work of other body forces + carried out - carried in
- *           + gain of heat content - what it comes from (energy_heat.c)
+ *           + gain of heat content - what it comes from (energy_work.c)
  *
  * The total is constant up to the error of the integrator; its change is the residual. Each term is
  * computed by a formula of its own; none is the difference of the others.
@@ -74,12 +74,13 @@ enum
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */
 {
-    const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];  /* in the order of their sums */
+    /* in the order of their sums */
+    const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];
     struct dem_energy energy;
-    struct dem_contact_batch was;                            /* the batch with the overlap of a
-                                                                step ago, for the normal law */
-    double rate[DEM_BATCH_ROWS];                             /* m/s  rate of change
-                                                                of the distance */
+    /* the batch with the overlap of a step ago, for the normal law */
+    struct dem_contact_batch was;
+    /* m/s  rate of change of the distance */
+    double rate[DEM_BATCH_ROWS];
     double *before[DEM_HISTORY_COLUMNS];
     _Alignas(64) double column[DEM_HISTORY_COLUMNS][DEM_BATCH_ROWS];
     struct                                                   /* forces and energies of the batch
@@ -89,29 +90,36 @@ struct dem_energy_balance_scratch    /* working columns of the current batch */
             mx[DEM_BATCH_ROWS], my[DEM_BATCH_ROWS], mz[DEM_BATCH_ROWS];
         double stored[DEM_BATCH_ROWS], lost[DEM_BATCH_ROWS], broke[DEM_BATCH_ROWS];
     } then;
-    double force[3][DEM_BATCH_ROWS];                         /* N    on particles before
-                                                                the effect acted */
-    double own[DEM_EFFECT_LIST_LIMIT][3][DEM_BATCH_ROWS];    /* N    of each body effect */
+    /* N  on particles before the effect acted */
+    double force[3][DEM_BATCH_ROWS];
+    /* N  of each body effect */
+    double own[DEM_EFFECT_LIST_LIMIT][3][DEM_BATCH_ROWS];
 };
 
 struct dem_energy_balance
 {
-    int open;                                               /* 1: this run has an energy balance */
-    int driven;                                             /* 1: there are driven particles */
-    int flows;                                              /* 1: the run has streams or outlets */
-    int begun;                                              /* 1: heat is summed; 0 in the sweep
-                                                               that the balance begins with */
-    int sums_elastic;                                       /* 1: the next sweep sums
-                                                               elastic energies */
-    double since, start;                                    /* s, J: when it began,
-                                                               the total then */
-    int heat;                                               /* the particle scalar whose content is
-                                                               energy, or -1 */
-    double gravity[3];                                      /* m/s2 */
-    struct dem_sum *sum;                                    /* DEM_ENERGY_BALANCE_SUMS */
+    /* 1: this run has an energy balance */
+    int open;
+    /* 1: there are driven particles */
+    int driven;
+    /* 1: the run has streams or outlets */
+    int flows;
+    /* 1: heat is summed; 0 in the sweep that the balance begins with */
+    int begun;
+    /* 1: the next sweep sums elastic energies */
+    int sums_elastic;
+    /* s, J: when it began, the total then */
+    double since, start;
+    /* the particle scalar whose content is energy, or -1 */
+    int heat;
+    /* m/s2 */
+    double gravity[3];
+    /* DEM_ENERGY_BALANCE_SUMS */
+    struct dem_sum *sum;
     struct dem_energy_balance_scratch *scratch;
     int items;
-    struct dem_energy_item item[DEM_ENERGY_BALANCE_ITEMS];  /* as reported last */
+    /* as reported last */
+    struct dem_energy_item item[DEM_ENERGY_BALANCE_ITEMS];
 };
 
 /* Before the first sweep, with the final interaction table. */
@@ -158,7 +166,7 @@ void dem_energy_balance_after_sweep(struct dem_state *, double dt);
 void dem_energy_balance_particle_out(struct dem_state *, const struct dem_particle *, double late);
 void dem_energy_balance_particle_in(struct dem_state *, const struct dem_particle *);
 
-/* ---- heat (energy_heat.c) --------------------------------------------------------------------- */
+/* ---- heat ------------------------------------------------------------------------------------ */
 
 /* The present content becomes the reference, and all other terms begin at 0. */
 void dem_energy_balance_begin_heat(struct dem_state *);
@@ -176,13 +184,16 @@ void dem_energy_balance_add_content(const struct dem_state *, size_t particle, d
 struct dem_energy_balance_kick    /* a batch of particles after the kick */
 {
     const struct dem_effect_list *bodies;
-    const struct dem_body_batch *batch;  /* with velocities after the kick */
-    const double *j[3];                  /* N s  impulse of drag */
-    const double *spin_impulse[3];               /* N m s  impulse of rotational drag; the
-                                            batch then holds the spins after */
+    /* with velocities after the kick */
+    const struct dem_body_batch *batch;
+    /* N s impulse of drag */
+    const double *j[3];
+    /* N m s impulse of rotational drag; the batch then holds the spins after */
+    const double *spin_impulse[3];
     size_t first;
     int rows;
-    double h, window;                    /* s */
+    /* s */
+    double h, window;
 };
 
 void dem_energy_balance_before_body_effect(struct dem_energy_balance *,

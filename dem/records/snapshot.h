@@ -52,29 +52,33 @@ enum
 struct dem_snapshot_flow
 {
     char name[48];
-    int64_t kind, count;                 /* kind: 1 stream by number, 3 stream by mass, 2 outlet */
-    double mass, momentum[3], energy;    /* kg, kg m/s, J */
-    double rate, start, end;             /* of a stream: present settings */
-    double owed, since, last;            /* of a stream: particles or kg due at time `since` [s];
-                                            time of the last insertion check [s] */
+    /* kind: 1 stream by number, 3 stream by mass, 2 outlet */
+    int64_t kind, count;
+    /* kg, kg m/s, J */
+    double mass, momentum[3], energy;
+    /* of a stream: present settings */
+    double rate, start, end;
+    /* of a stream: particles or kg due at time `since` [s]; time of the last insertion check [s] */
+    double owed, since, last;
 };
 
 struct dem_snapshot                         /* the state besides particles and contacts */
 {
     int64_t particles, rows, steps;
-    double time;                                    /* s */
+    /* s */
+    double time;
     struct dem_snapshot_window window;
-    int64_t skin_tuning[DEM_SNAPSHOT_SKIN_TUNING];  /* state of the skin tuning, raw: a restart
-                                                       keeps the particles in the same order */
-    int64_t flows, next_id;                         /* next_id: of the next inserted
-                                                       particle; 0: no streams */
+    /* state of the skin tuning, raw: a restart keeps the particles in the same order */
+    int64_t skin_tuning[DEM_SNAPSHOT_SKIN_TUNING];
+    /* next_id: of the next inserted particle; 0: no streams */
+    int64_t flows, next_id;
     struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS];
-    uint32_t scalars;                               /* when read: bit k: the file has scalar k of
-                                                       the interaction table */
-    const struct dem_domain *domain;                /* when writing: particles are
-                                                       wrapped into its periodic box */
-    const struct dem_span *caller_data;             /* when writing: the caller's
-                                                       data, of the first rank */
+    /* when read: bit k: the file has scalar k of the interaction table */
+    uint32_t scalars;
+    /* when writing: particles are wrapped into its periodic box */
+    const struct dem_domain *domain;
+    /* when writing: the caller's data, of the first rank */
+    const struct dem_span *caller_data;
     int caller_data_count;
 };
 

@@ -32,11 +32,10 @@ struct dem_snapshot_header
 {
     char magic[8];
     uint64_t order, version;
-    uint64_t checksum, caller_data_checksum, head_checksum;  /* of particles and contacts;
-                                                                of the caller's data; of
-                                                                the header without it */
-    int64_t particles, rows, steps, caller_data;             /* beside: bytes of the
-                                                                caller's data */
+    /* of particles and contacts; of the caller's data; of the header without it */
+    uint64_t checksum, caller_data_checksum, head_checksum;
+    /* beside: bytes of the caller's data */
+    int64_t particles, rows, steps, caller_data;
     double time;
     struct dem_snapshot_window window;
     int64_t skin_tuning[DEM_SNAPSHOT_SKIN_TUNING];
@@ -47,8 +46,8 @@ struct dem_snapshot_header
     {
         char name[DEM_SNAPSHOT_NAME];
         int64_t width;
-    } list[DEM_SNAPSHOT_NAMES];                              /* materials, then columns,
-                                                                then history */
+    /* materials, then columns, then history */
+    } list[DEM_SNAPSHOT_NAMES];
 };
 
 /* The eight characters at the beginning of a snapshot, and a number that shows the byte order. */

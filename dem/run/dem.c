@@ -16,6 +16,7 @@
 #include "ranks/agree.h"
 #include "step/fall_check.h"
 #include "step/step.h"
+#include "step/step_backup.h"
 #include <fenv.h>
 #include <math.h>
 #include <string.h>
@@ -49,10 +50,10 @@ static const double max_steps = 0x1p53;    /* larger whole numbers are not exact
 static int continues_window(const struct dem *d, double duration)
 {
     const struct dem_state *const p = &d->state;
-    const double rest = p->window_start + p->window - p->time;
+    const double rest = p->window.start + p->window.length - p->time;
 
-    return p->half_step_ahead && fabs(duration - rest) <= 1e-3*p->dt
-        && ceil(p->window/d->step*(1.0 - 1e-12)) == (double)p->steps_ahead;
+    return p->window.half_step_ahead && fabs(duration - rest) <= 1e-3*p->dt
+        && ceil(p->window.length/d->step*(1.0 - 1e-12)) == (double)p->window.steps;
 }
 
 int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *triangles)
@@ -106,7 +107,7 @@ void dem_set_progress(struct dem *d, double seconds,
 
 int dem_stopped(const struct dem *d)
 {
-    return d->state.half_step_ahead ? d->state.stopped : 0;
+    return d->state.window.half_step_ahead ? d->state.window.stopped : 0;
 }
 
 /* ---- save and restore ------------------------------------------------------------------------ */
@@ -161,11 +162,11 @@ int dem_save(struct dem *d, const char *path)
     s.flows = p->flows->n;
     s.next_id = p->flows->next_id;
     memcpy(s.flow, p->flows->flow, (size_t)p->flows->n*sizeof *s.flow);
-    if (p->half_step_ahead)
+    if (p->window.half_step_ahead)
     {
-        s.window = (struct dem_snapshot_window){.ahead = p->steps_ahead,
-                                                .done = p->steps - p->steps_before,
-                                                .opened = p->window_start,
+        s.window = (struct dem_snapshot_window){.ahead = p->window.steps,
+                                                .done = p->steps - p->window.steps_before,
+                                                .opened = p->window.start,
                                                 .dt = p->dt};
     }
     DEM_TRY(write_snapshot(d, path, &s));
@@ -213,6 +214,6 @@ int dem_restore(struct dem *d, double *time)
     p->time = *time = p->backup.time;
     p->limits.overlap = 0.0;
     p->stale = 2;
-    p->half_step_ahead = 0;
+    p->window.half_step_ahead = 0;
     return DEM_OK;
 }

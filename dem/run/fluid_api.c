@@ -138,7 +138,7 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
     for (size_t i = 0; i < p->n; i++)
     {
         const double volume = d->pressure_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
-        const double Q = transmitted[i]*volume*d->state.window;
+        const double Q = transmitted[i]*volume*d->state.window.length;
 
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
@@ -146,7 +146,7 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
                             - (predicted ? predicted[k] : 0.0);
             if (change)
             {
-                change[k] = (velocity[k] - u[k])/d->state.window;
+                change[k] = (velocity[k] - u[k])/d->state.window.length;
             }
         }
     }
@@ -190,10 +190,10 @@ double dem_fluid_relaxation(const struct dem *d)
     const double *const time = dem_column(&p->particles, DEM_COLUMN_DRAG_TIME);
     double max = 0.0;
 
-    for (size_t i = 0; time && p->window > 0.0 && i < p->particles.n; i++)
+    for (size_t i = 0; time && p->window.length > 0.0 && i < p->particles.n; i++)
     {
         const double rate =
-            dem_exchange_rate(time[i], p->window, p->particles.record[i].inverse_mass);
+            dem_exchange_rate(time[i], p->window.length, p->particles.record[i].inverse_mass);
 
         max = rate > max ? rate : max;
     }

@@ -59,7 +59,7 @@ int dem_flow_apply(struct dem *d, int *changed)
 
     DEM_REQUIRE(d->flow_on_request, DEM_ERROR_STATE, "dem_flow_apply: streams and outlets act in "
                 "dem_advance; call dem_case_flows_on_request before dem_start");
-    DEM_REQUIRE(!d->state.half_step_ahead, DEM_ERROR_STATE,
+    DEM_REQUIRE(!d->state.window.half_step_ahead, DEM_ERROR_STATE,
                 "dem_flow_apply comes between two advances");
     DEM_TRY(dem_api_require_sound(d, "dem_flow_apply"));
     feholdexcept(&caller);

@@ -10,231 +10,26 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "sources/flows.h"
-#include "sources/inlet_walls.h"
+#include "sources/inlet_grid.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
 #include "walls/wall_path.h"
-#include "ranks/collect.h"
 #include "ranks/dem_state.h"
 #include <math.h>
 #include <string.h>
 
 enum
 {
-    TRIALS = 200,  /* positions for one particle at one check */
-    MAX_CELLS = 1 << 18,
-    NONE = -1
+    TRIALS = 200    /* positions for one particle at one check */
 };
 
 /* The amount due is a floating-point number: a particle is due when at most this fraction of it is
    missing. */
 static const double tolerance = 1e-9;
 
-/* Factor on distances, far above the round-off of a distance and of rounding a position to a
-   multiple of the domain's unit of length. */
-static const double margin = 1.0 + 1e-12;
-
 /* Walls within this fraction of the radius of the inlet are taken to lie on it. */
 static const double on_inlet = 1e-3;
-
-struct body                                               /* a sphere near the inlet */
-{
-    double x[3], radius;
-};
-
-struct inlet_grid    /* spheres around the inlet of one stream */
-{
-    const struct dem_domain *domain;
-    const struct dem_stream *stream;
-    double min[3], max[3];  /* m: of centres that trials may produce */
-    double max_radius;      /* m: of all spheres gathered or inserted */
-    double edge;            /* m: of a cell */
-    int cells[3];
-    int *head, *next;       /* first body of each cell; next body of each body */
-    size_t n, body_capacity, next_capacity;
-    struct body *body;
-    struct dem_inlet_walls walls;
-};
-
-/* ---- spheres near the inlet ------------------------------------------------------------------ */
-
-static int is_near(const struct inlet_grid *grid, const double x[3], double reach)
-{
-    int near = 1;
-
-    for (int k = 0; k < 3; k++)
-    {
-        near &= x[k] >= grid->min[k] - reach && x[k] <= grid->max[k] + reach;
-    }
-    return near;
-}
-
-/* Add all periodic images of a sphere that are near the inlet. */
-static int add_images(struct inlet_grid *grid, const double x[3], double radius, double reach)
-{
-    const struct dem_domain *const d = grid->domain;
-    int from[3] = {0, 0, 0}, to[3] = {0, 0, 0}, at[3];
-
-    for (int k = 0; k < 3; k++)
-    {
-        if (d->periodic[k])
-        {
-            from[k] = (int)ceil((grid->min[k] - reach - x[k])/d->length[k]);
-            to[k] = (int)floor((grid->max[k] + reach - x[k])/d->length[k]);
-        }
-    }
-    for (at[2] = from[2]; at[2] <= to[2]; at[2]++)
-    {
-        for (at[1] = from[1]; at[1] <= to[1]; at[1]++)
-        {
-            for (at[0] = from[0]; at[0] <= to[0]; at[0]++)
-            {
-                const double there[3] = {x[0] + at[0]*d->length[0], x[1] + at[1]*d->length[1],
-                                         x[2] + at[2]*d->length[2]};
-
-                if (is_near(grid, there, reach))
-                {
-                    DEM_TRY(DEM_GROW(grid->body, grid->body_capacity, grid->n + 1));
-                    grid->body[grid->n] = (struct body){.radius = radius};
-                    memcpy(grid->body[grid->n++].x, there, sizeof there);
-                }
-            }
-        }
-    }
-    return DEM_OK;
-}
-
-/* Collective; `status`: of this rank. The spheres of all ranks replace this rank's. */
-static int gather(struct dem_state *p, struct inlet_grid *grid, int status)
-{
-    const struct dem_collect_items own = {"particles near the inlet of a stream", grid->body,
-                                          grid->n, sizeof *grid->body};
-    void *all;
-
-    if (p->decomposition.ranks == 1)
-    {
-        return status;
-    }
-    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, &grid->n));
-    dem_memory_free(grid->body);
-    grid->body = all;
-    grid->body_capacity = grid->n;
-    return DEM_OK;
-}
-
-static int find_bodies(struct dem_state *p, struct inlet_grid *grid, int status)
-{
-    for (size_t i = 0; i < p->particles.n && !status; i++)
-    {
-        const struct dem_particle *const q = &p->particles.record[i];
-
-        status = add_images(grid, q->x, q->radius, q->radius + grid->max_radius);
-    }
-    for (size_t k = 0; k < p->flows->arrivals && p->decomposition.rank == 0 && !status; k++)
-    {
-        const struct dem_particle *const q = &p->flows->arrival[k].particle;
-
-        status = add_images(grid, q->x, q->radius, q->radius + grid->max_radius);
-    }
-    return gather(p, grid, status);
-}
-
-/* ---- grid ------------------------------------------------------------------------------------ */
-
-static int cell_along(const struct inlet_grid *grid, int k, double x)
-{
-    const double at = (x - grid->min[k])/grid->edge;
-
-    return !(at > 0.0) ? 0 : at >= grid->cells[k] ? grid->cells[k] - 1 : (int)at;
-}
-
-static int add_to_cell(struct inlet_grid *grid, size_t b)
-{
-    const double *const x = grid->body[b].x;
-    const int at[3] = {cell_along(grid, 0, x[0]), cell_along(grid, 1, x[1]),
-                       cell_along(grid, 2, x[2])};
-    int *const head = &grid->head[(at[2]*grid->cells[1] + at[1])*grid->cells[0] + at[0]];
-
-    DEM_TRY(DEM_GROW(grid->next, grid->next_capacity, b + 1));
-    grid->next[b] = *head;
-    *head = (int)b;
-    return DEM_OK;
-}
-
-/* Cells are as wide as the largest sphere, or wider if there would be too many. */
-static int make_grid(struct inlet_grid *grid)
-{
-    double cells;
-
-    for (size_t b = 0; b < grid->n; b++)
-    {
-        grid->max_radius = fmax(grid->max_radius, grid->body[b].radius);
-    }
-    grid->edge = 2.0*grid->max_radius;
-    do
-    {
-        cells = 1.0;
-        for (int k = 0; k < 3; k++)
-        {
-            cells *= grid->cells[k] =
-                (int)fmin(MAX_CELLS, (grid->max[k] - grid->min[k])/grid->edge) + 1;
-        }
-        grid->edge *= cells > MAX_CELLS ? 1.26 : 1.0;
-    } while (cells > MAX_CELLS);
-    DEM_TRY(DEM_NEW(grid->head, (size_t)cells));
-    for (size_t c = 0; c < (size_t)cells; c++)
-    {
-        grid->head[c] = NONE;
-    }
-    for (size_t b = 0; b < grid->n; b++)
-    {
-        DEM_TRY(add_to_cell(grid, b));
-    }
-    return DEM_OK;
-}
-
-static int is_clear(const struct inlet_grid *grid, const double x[3], double radius)
-{
-    const double reach = radius + grid->max_radius;
-    int from[3], to[3];
-
-    for (int k = 0; k < 3; k++)
-    {
-        from[k] = cell_along(grid, k, x[k] - reach);
-        to[k] = cell_along(grid, k, x[k] + reach);
-    }
-    for (int z = from[2]; z <= to[2]; z++)
-    {
-        for (int y = from[1]; y <= to[1]; y++)
-        {
-            for (int c = from[0]; c <= to[0]; c++)
-            {
-                for (int b = grid->head[(z*grid->cells[1] + y)*grid->cells[0] + c]; b != NONE;
-                     b = grid->next[b])
-                {
-                    const double apart = margin*(radius + grid->body[b].radius);
-                    double d[3];
-
-                    dem_vec_minus(x, grid->body[b].x, d);
-                    if (dem_vec_dot(d, d) < apart*apart)
-                    {
-                        return 0;
-                    }
-                }
-            }
-        }
-    }
-    return 1;
-}
-
-static void free_grid(struct inlet_grid *grid)
-{
-    dem_inlet_walls_free(&grid->walls);
-    dem_memory_free(grid->head);
-    dem_memory_free(grid->next);
-    dem_memory_free(grid->body);
-}
 
 /* ---- a stream -------------------------------------------------------------------------------- */
 
@@ -273,12 +68,11 @@ static double amount_owed(const struct dem_state *p, int k)
 
 /* 1 in `clear` when the particle overlaps no sphere and no wall and lies in the domain; then it is
    wrapped. */
-static int test_position(struct dem_state *p, const struct inlet_grid *grid,
+static int test_position(struct dem_state *p, const struct dem_inlet_grid *grid,
                          struct dem_particle *q, int *clear)
 {
     *clear = 0;
-    if (!dem_domain_project(&p->domain, q) || !is_near(grid, q->x, 0.0) ||
-        !is_clear(grid, q->x, q->radius))
+    if (!dem_domain_project(&p->domain, q) || !dem_inlet_grid_is_clear(grid, q->x, q->radius))
     {
         return DEM_OK;
     }
@@ -293,7 +87,7 @@ static int test_position(struct dem_state *p, const struct inlet_grid *grid,
 
 /* 1 in `passes` when the path from the inlet to x leads through a wall. A wall on the inlet itself
    does not count. */
-static int path_passes(struct dem_state *p, const struct inlet_grid *grid, double radius,
+static int path_passes(struct dem_state *p, const struct dem_inlet_grid *grid, double radius,
                        const double start[3], const double x[3], int *passes)
 {
     struct dem_particle from = {.radius = radius}, to = {.radius = radius};
@@ -321,7 +115,7 @@ static int path_passes(struct dem_state *p, const struct inlet_grid *grid, doubl
 /* Trials of a position and a velocity, until one is free. `found`: 1 if one was. A particle that
    would have hit a wall since it entered begins on the inlet. */
 static int find_position(struct dem_state *p, const struct dem_stream_trial *first,
-                         const struct inlet_grid *grid, struct dem_particle *q, int *found)
+                         const struct dem_inlet_grid *grid, struct dem_particle *q, int *found)
 {
     struct dem_stream_trial t = *first;
     const struct dem_particle sphere = *q;
@@ -352,21 +146,15 @@ static int find_position(struct dem_state *p, const struct dem_stream_trial *fir
     return DEM_OK;
 }
 
-static int add_arrival(struct dem_state *p, int stream, struct inlet_grid *grid,
+static int add_arrival(struct dem_state *p, int stream, struct dem_inlet_grid *grid,
                        const struct dem_particle *q)
 {
     struct dem_flows *const f = p->flows;
-    const size_t before = grid->n;
 
     DEM_TRY(DEM_GROW(f->arrival, f->arrival_capacity, f->arrivals + 1));
     f->arrival[f->arrivals++] = (struct dem_arrival){
         .particle = *q, .stream = stream, .number = f->flow[stream].count};
-    DEM_TRY(add_images(grid, q->x, q->radius, q->radius + grid->max_radius));
-    for (size_t b = before; b < grid->n; b++)
-    {
-        DEM_TRY(add_to_cell(grid, b));
-    }
-    return DEM_OK;
+    return dem_inlet_grid_insert(grid, q->x, q->radius);
 }
 
 static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle *q)
@@ -382,7 +170,7 @@ static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle
 }
 
 /* One particle after the other, as they are due, until one finds no free position. */
-static int insert_due(struct dem_state *p, int k, struct inlet_grid *grid,
+static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
                       struct dem_stream_trial *t)
 {
     struct dem_flows *const f = p->flows;
@@ -432,7 +220,8 @@ static int check_stream(struct dem_state *p, int k, int64_t step, int status)
     const double due = amount_owed(p, k), mass = next_mass(p, k);
     struct dem_stream_trial t = {.step = step,
                                  .ago = p->time - fmax(row->last, fmin(s->start, p->time))};
-    struct inlet_grid grid = {.domain = &p->domain, .stream = s, .max_radius = 0.5*s->sizes.max};
+    struct dem_inlet_grid grid = {
+        .domain = &p->domain, .stream = s, .max_radius = 0.5*s->sizes.max};
     const double travel = dem_stream_max_travel(s, t.ago, 0.5*s->sizes.max);
 
     row->last = p->time;
@@ -451,11 +240,11 @@ static int check_stream(struct dem_state *p, int k, int64_t step, int status)
 
     memcpy(box[0], grid.min, sizeof box[0]);
     memcpy(box[1], grid.max, sizeof box[1]);
-    status = find_bodies(p, &grid, status);
+    status = dem_inlet_grid_gather(&grid, p, status);
     status = dem_inlet_walls_gather(&grid.walls, p, status, box, s->sizes.max);
-    status = status ? status : make_grid(&grid);
+    status = status ? status : dem_inlet_grid_make(&grid);
     status = status ? status : insert_due(p, k, &grid, &t);
-    free_grid(&grid);
+    dem_inlet_grid_free(&grid);
     return status;
 }
 

@@ -48,6 +48,11 @@ struct dem_insert_group
                                           them */
 };
 
+/* Read the settings of this type. */
+int dem_insert_group_read_type(struct dem_insert_group *, const struct dem_interaction_table *,
+                               const struct dem_insertion *, const struct dem_walls *,
+                               const char *type);
+
 /* Read the rows of a table. Arrays belong to the group, also after a failure. */
 int dem_insert_group_read_table(struct dem_insert_group *, const struct dem_interaction_table *);
 

@@ -31,15 +31,16 @@ struct dem_attached_stores
 };
 
 /* Let the state use these stores, which are zeroed and have to live as long as it does. */
-static inline void dem_attached_stores_attach(struct dem_attached_stores *a, struct dem_state *p)
+static inline void dem_attached_stores_attach(struct dem_attached_stores *a,
+                                              struct dem_state *state)
 {
-    p->averages = &a->averages;
-    p->flows = &a->flows;
-    p->lost_particles = &a->lost_particles;
-    p->bonds = &a->bonds;
-    p->wall_statistics = &a->wall_statistics;
-    p->energy_balance = &a->energy_balance;
-    p->timers = &a->timers;
+    state->averages = &a->averages;
+    state->flows = &a->flows;
+    state->lost_particles = &a->lost_particles;
+    state->bonds = &a->bonds;
+    state->wall_statistics = &a->wall_statistics;
+    state->energy_balance = &a->energy_balance;
+    state->timers = &a->timers;
 }
 
 /* Free what the stores hold. */

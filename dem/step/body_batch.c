@@ -1,14 +1,11 @@
 /*
- * body_batch.c -- gather a batch of particles, apply drag modifications and rotational drag, and
- * write the batch back.
+ * body_batch.c -- gather a batch of particles and write it back.
  *
  * Records are transposed four at a time in registers; columns are copied as whole vectors.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/body_batch.h"
-#include "core/math.h"
-#include "laws/fluid/drag.h"
 #include "laws/effect.h"
 #include "laws/scalar.h"
 #include "step/eddies.h"
@@ -43,43 +40,43 @@ _Static_assert(offsetof(struct dem_body_batch, uz) ==
                    offsetof(struct dem_body_batch, ux) + 2*DEM_BATCH_ROWS*sizeof(double),
                "the components of a vector are stored one after the other");
 
-static double *column_at(struct dem_body_batch *b, size_t offset)
+static double *column_at(struct dem_body_batch *batch, size_t offset)
 {
-    return (double *)(void *)((char *)b + offset);
+    return (double *)(void *)((char *)batch + offset);
 }
 
 /* ---- gather ---------------------------------------------------------------------------------- */
 
 /* Four records into the lanes from c on. */
 __attribute__((always_inline)) static inline void
-gather_four(struct dem_body_workspace *t, const struct dem_particle *const four[4], int c)
+gather_four(struct dem_body_workspace *work, const struct dem_particle *const four[4], int c)
 {
-    struct dem_body_batch *const b = &t->batch;
+    struct dem_body_batch *const batch = &work->batch;
     dem_vec4 v[4];
 
     for (int k = 0; k < 4; k++)
     {
         v[k] = DEM_VEC4(four[k]->v);
-        b->radius[c + k] = four[k]->radius;
-        b->mass[c + k] = four[k]->mass;
+        batch->radius[c + k] = four[k]->radius;
+        batch->mass[c + k] = four[k]->mass;
     }
     dem_transpose4(v);
-    DEM_VEC4_AT(b->vx + c) = v[0];
-    DEM_VEC4_AT(b->vy + c) = v[1];
-    DEM_VEC4_AT(b->vz + c) = v[2];
-    DEM_VEC4_AT(t->inverse_mass + c) = v[3];
+    DEM_VEC4_AT(batch->vx + c) = v[0];
+    DEM_VEC4_AT(batch->vy + c) = v[1];
+    DEM_VEC4_AT(batch->vz + c) = v[2];
+    DEM_VEC4_AT(work->inverse_mass + c) = v[3];
 }
 
 DEM_KERNEL
-static void gather_records(struct dem_body_workspace *restrict t, const struct dem_particle *record,
-                           int rows)
+static void gather_records(struct dem_body_workspace *restrict work,
+                           const struct dem_particle *record, int rows)
 {
-    struct dem_body_batch *const b = &t->batch;
+    struct dem_body_batch *const batch = &work->batch;
     const int whole = rows/4*4;
 
     for (int c = 0; c < whole; c += 4)
     {
-        gather_four(t,
+        gather_four(work,
                     (const struct dem_particle *const[4]){record + c, record + c + 1,
                                                           record + c + 2, record + c + 3},
                     c);
@@ -88,25 +85,25 @@ static void gather_records(struct dem_body_workspace *restrict t, const struct d
     {
         const struct dem_particle *const from = record + whole, *const last = record + rows - 1;
 
-        gather_four(t,
+        gather_four(work,
                     (const struct dem_particle *const[4]){from, from + 1 < last ? from + 1 : last,
                                                           from + 2 < last ? from + 2 : last, last},
                     whole);
     }
-    for (int c = 0; c < b->n; c++)
+    for (int c = 0; c < batch->n; c++)
     {
-        b->volume[c] = dem_sphere_volume(b->radius[c]);
-        b->b[c] = b->bux[c] = b->buy[c] = b->buz[c] = 0.0;
+        batch->volume[c] = dem_sphere_volume(batch->radius[c]);
+        batch->drag[c] = batch->drag_ux[c] = batch->drag_uy[c] = batch->drag_uz[c] = 0.0;
     }
 }
 
-static void gather_spins(struct dem_body_batch *b, const struct dem_particle *record, int rows)
+static void gather_spins(struct dem_body_batch *batch, const struct dem_particle *record, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
-        b->wx[c] = record[c].w[0];
-        b->wy[c] = record[c].w[1];
-        b->wz[c] = record[c].w[2];
+        batch->wx[c] = record[c].w[0];
+        batch->wy[c] = record[c].w[1];
+        batch->wz[c] = record[c].w[2];
     }
 }
 
@@ -136,83 +133,84 @@ static void split_add(const double *restrict from, int rows, double factor, doub
     }
 }
 
-void dem_body_batch_load_forces(struct dem_body_workspace *t, const struct dem_particles *p,
-                                size_t first, int rows)
+void dem_body_batch_load_forces(struct dem_body_workspace *work,
+                                const struct dem_particles *particles, size_t first, int rows)
 {
-    const double *const force = dem_column(p, DEM_COLUMN_FORCE) + 3*first,
-                 *const torque = dem_column(p, DEM_COLUMN_TORQUE) + 3*first;
+    const double *const force = dem_column(particles, DEM_COLUMN_FORCE) + 3*first,
+                 *const torque = dem_column(particles, DEM_COLUMN_TORQUE) + 3*first;
 
     for (int c = 0; c < rows; c++)
     {
-        memcpy(t->contacts[c].force, force + 3*c, 3*sizeof *force);
-        memcpy(t->contacts[c].torque, torque + 3*c, 3*sizeof *torque);
-        t->contacts[c].torque[3] = 0.0;
+        memcpy(work->contacts[c].force, force + 3*c, 3*sizeof *force);
+        memcpy(work->contacts[c].torque, torque + 3*c, 3*sizeof *torque);
+        work->contacts[c].torque[3] = 0.0;
     }
 }
 
 DEM_KERNEL
-static void gather_forces(struct dem_body_workspace *restrict t, int rows)
+static void gather_forces(struct dem_body_workspace *restrict work, int rows)
 {
     for (int c = 0; c < rows; c += 4)
     {
-        const struct dem_contact_sum *const s = t->contacts + c;
+        const struct dem_contact_sum *const s = work->contacts + c;
         dem_vec4 f[4] = {DEM_VEC4(s[0].force), DEM_VEC4(s[1].force), DEM_VEC4(s[2].force),
                          DEM_VEC4(s[3].force)};
 
         dem_transpose4(f);
-        DEM_VEC4_AT(t->batch.fx + c) = f[0];
-        DEM_VEC4_AT(t->batch.fy + c) = f[1];
-        DEM_VEC4_AT(t->batch.fz + c) = f[2];
+        DEM_VEC4_AT(work->batch.fx + c) = f[0];
+        DEM_VEC4_AT(work->batch.fy + c) = f[1];
+        DEM_VEC4_AT(work->batch.fz + c) = f[2];
     }
 }
 
-void dem_body_batch_gather(struct dem_body_workspace *t, const struct dem_particles *p,
+void dem_body_batch_gather(struct dem_body_workspace *work, const struct dem_particles *particles,
                            size_t first, int rows, int spin)
 {
-    struct dem_body_batch *const b = &t->batch;
+    struct dem_body_batch *const batch = &work->batch;
 
-    b->n = (rows + 7)/8*8;
-    gather_records(t, p->record + first, rows);
+    batch->n = (rows + 7)/8*8;
+    gather_records(work, particles->record + first, rows);
     if (spin)
     {
-        gather_spins(b, p->record + first, rows);
+        gather_spins(batch, particles->record + first, rows);
     }
-    if (dem_column(p, DEM_COLUMN_OTHER_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_OTHER_IMPULSE))
     {
-        memset(b->rx, 0, 3*sizeof b->rx);
+        memset(batch->rx, 0, 3*sizeof batch->rx);
     }
-    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE))
     {
-        memset(b->t, 0, 4*sizeof b->t);
+        memset(batch->spin_drag, 0, 4*sizeof batch->spin_drag);
     }
-    gather_forces(t, rows);
+    gather_forces(work, rows);
 }
 
 /* The fluid's velocity at a particle is the mean flow's plus the velocity of the eddy around it. */
-static void add_fluctuations(struct dem_body_batch *b, const struct dem_particles *p, size_t first,
-                             int rows)
+static void add_fluctuations(struct dem_body_batch *batch, const struct dem_particles *particles,
+                             size_t first, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
         double u[3];
 
-        dem_eddies_velocity(p, first + (size_t)c, u);
-        b->ux[c] += u[0];
-        b->uy[c] += u[1];
-        b->uz[c] += u[2];
+        dem_eddies_velocity(particles, first + (size_t)c, u);
+        batch->ux[c] += u[0];
+        batch->uy[c] += u[1];
+        batch->uz[c] += u[2];
     }
 }
 
-void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_particles *p,
+void dem_body_batch_gather_fluid(struct dem_body_workspace *work,
+                                 const struct dem_particles *particles,
                                  size_t first, int rows, double over_window)
 {
-    struct dem_body_batch *const b = &t->batch;
+    struct dem_body_batch *const batch = &work->batch;
     const size_t size = (size_t)rows*sizeof(double);
 
     for (size_t k = 0; k < sizeof vectors/sizeof vectors[0]; k++)
     {
-        const double *const from = dem_column(p, vectors[k].column);
-        double *const to = column_at(b, vectors[k].offset);
+        const double *const from = dem_column(particles, vectors[k].column);
+        double *const to = column_at(batch, vectors[k].offset);
 
         if (from)
         {
@@ -221,199 +219,51 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *t, const struct dem_
     }
     for (size_t k = 0; k < sizeof scalars/sizeof scalars[0]; k++)
     {
-        const double *const from = dem_column(p, scalars[k].column);
+        const double *const from = dem_column(particles, scalars[k].column);
 
         if (from)
         {
-            memcpy(column_at(b, scalars[k].offset), from + first, size);
+            memcpy(column_at(batch, scalars[k].offset), from + first, size);
         }
     }
-    for (int k = 0; k < p->batch.n; k++)
+    for (int k = 0; k < particles->batch.n; k++)
     {
-        memcpy(column_at(b, p->batch.at[k].to->body),
-               p->column[p->batch.at[k].column].data + first, size);
+        memcpy(column_at(batch, particles->batch.at[k].to->body),
+               particles->column[particles->batch.at[k].column].data + first, size);
     }
-    if (dem_column(p, DEM_COLUMN_EDDY))
+    if (dem_column(particles, DEM_COLUMN_EDDY))
     {
-        add_fluctuations(b, p, first, rows);
+        add_fluctuations(batch, particles, first, rows);
     }
-    split_add(dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window, b->fx,
-              b->fy, b->fz);
-    for (int k = 0; k < DEM_VOIDAGE_FACTORS && dem_column(p, voidage_columns[k]); k++)
+    split_add(dem_column(particles, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, rows, over_window,
+              batch->fx, batch->fy, batch->fz);
+    for (int k = 0; k < DEM_VOIDAGE_FACTORS && dem_column(particles, voidage_columns[k]); k++)
     {
-        memcpy(b->voidage_factor[k], dem_column(p, voidage_columns[k]) + first, size);
-    }
-}
-
-/* b/e, with the lower limit of the void fraction that the drag laws use; lift likewise. */
-DEM_KERNEL
-static void divide_by_void_fraction(struct dem_body_batch *restrict b)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        const double over = 1.0/dem_drag_void_fraction(b->void_fraction[c]);
-
-        b->b[c] *= over;
-        b->bux[c] *= over;
-        b->buy[c] *= over;
-        b->buz[c] *= over;
-        b->rx[c] *= over;
-        b->ry[c] *= over;
-        b->rz[c] *= over;
+        memcpy(batch->voidage_factor[k], dem_column(particles, voidage_columns[k]) + first, size);
     }
 }
 
-void dem_body_batch_divide_by_void_fraction(struct dem_body_workspace *t)
-{
-    divide_by_void_fraction(&t->batch);
-}
-
-/* Slip u - v(start) - gamma (v - v(start)): the coefficient becomes gamma b, and b u
-   becomes b u + (gamma - 1) b v(start). */
-DEM_KERNEL
-static void apply_slip_factor(struct dem_body_workspace *restrict t,
-                              const double *restrict slip_factor, const double *restrict start,
-                              int rows)
-{
-    struct dem_body_batch *const b = &t->batch;
-
-    for (int c = 0; c < rows; c++)
-    {
-        const double extra = (slip_factor[c] - 1.0)*b->b[c];
-
-        t->drag[c] = b->b[c];
-        b->b[c] += extra;
-        b->bux[c] += extra*start[3*c];
-        b->buy[c] += extra*start[3*c + 1];
-        b->buz[c] += extra*start[3*c + 2];
-    }
-}
-
-void dem_body_batch_apply_slip_factor(struct dem_body_workspace *t, const struct dem_particles *p,
-                                      size_t first, int rows)
-{
-    apply_slip_factor(t, dem_column(p, DEM_COLUMN_SLIP_FACTOR) + first,
-                      dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*first, rows);
-}
-
-void dem_body_batch_limit_backward_drag(struct dem_body_workspace *t, const struct dem_particles *p,
-                                        size_t first, int rows, double h)
-{
-    struct dem_body_batch *const b = &t->batch;
-
-    for (int c = 0; c < rows; c++)
-    {
-        const double moves = b->b[c]*h*t->inverse_mass[c] < -1.0 ? 0.0 : 1.0;
-        const double turns =
-            b->t[c]*h*p->record[first + (size_t)c].inverse_inertia < -1.0 ? 0.0 : 1.0;
-
-        t->drag[c] *= moves;
-        b->b[c] *= moves;
-        b->bux[c] *= moves;
-        b->buy[c] *= moves;
-        b->buz[c] *= moves;
-        b->t[c] *= turns;
-        b->tx[c] *= turns;
-        b->ty[c] *= turns;
-        b->tz[c] *= turns;
-    }
-}
-
-void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *t,
-                                          struct dem_particles *p, size_t first, int rows)
+void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *work,
+                                          struct dem_particles *particles, size_t first, int rows)
 {
     for (int k = 0; k < DEM_VOIDAGE_FACTORS; k++)
     {
-        memcpy(dem_column(p, voidage_columns[k]) + first, t->batch.voidage_factor[k],
+        memcpy(dem_column(particles, voidage_columns[k]) + first, work->batch.voidage_factor[k],
                (size_t)rows*sizeof(double));
     }
 }
 
-void dem_body_batch_store_added_mass(const struct dem_body_workspace *t, struct dem_particles *p,
-                                     size_t first, int rows)
+void dem_body_batch_store_added_mass(const struct dem_body_workspace *work,
+                                     struct dem_particles *particles, size_t first, int rows)
 {
-    double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS) + first;
+    double *const added = dem_column(particles, DEM_COLUMN_ADDED_MASS) + first;
 
     for (int c = 0; c < rows; c++)
     {
-        struct dem_particle *const r = &p->record[first + (size_t)c];
+        struct dem_particle *const r = &particles->record[first + (size_t)c];
 
-        added[c] = t->batch.added_mass[c];
+        added[c] = work->batch.added_mass[c];
         r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(r->mass + added[c]) : 0.0;
-    }
-}
-
-/* ---- reacting forces, added mass, rotational drag -------------------------------------------- */
-
-DEM_KERNEL
-static void add_reacting(struct dem_body_batch *restrict b)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        b->fx[c] += b->rx[c];
-        b->fy[c] += b->ry[c];
-        b->fz[c] += b->rz[c];
-    }
-}
-
-void dem_body_batch_add_reacting_forces(struct dem_body_workspace *t)
-{
-    add_reacting(&t->batch);
-}
-
-/* Of every change of velocity dv the added mass a takes the impulse a dv. */
-void dem_body_batch_sum_reactions(const struct dem_body_workspace *t, struct dem_particles *p,
-                                  size_t first, int rows, double h)
-{
-    const struct dem_body_batch *const b = &t->batch;
-    double *const impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) + 3*first;
-
-    for (int c = 0; c < rows; c++)
-    {
-        const double *const before = p->record[first + (size_t)c].v;
-
-        impulse[3*c] += h*b->rx[c] - b->added_mass[c]*(b->vx[c] - before[0]);
-        impulse[3*c + 1] += h*b->ry[c] - b->added_mass[c]*(b->vy[c] - before[1]);
-        impulse[3*c + 2] += h*b->rz[c] - b->added_mass[c]*(b->vz[c] - before[2]);
-    }
-}
-
-/* Like the kick with drag: I dw/dt = M + t o - t w with the contact torque M and the coefficient t
-   constant over h. */
-void dem_body_batch_kick_spins(struct dem_body_workspace *t, const struct dem_particles *p,
-                               size_t first, int rows, double h)
-{
-    struct dem_body_batch *const b = &t->batch;
-    double *const spin[3] = {b->wx, b->wy, b->wz}, *const target[3] = {b->tx, b->ty, b->tz};
-
-    for (int c = 0; c < rows; c++)
-    {
-        const double over = p->record[first + (size_t)c].inverse_inertia;
-        const double z = b->t[c]*h*over, phi = dem_phi(z), step = phi*h*over;
-
-        for (int k = 0; k < 3; k++)
-        {
-            const double M = t->contacts[c].torque[k], drag = target[k][c] - b->t[c]*spin[k][c];
-
-            t->spin_impulse[k][c] = h*(phi*drag - (1.0 - phi)*M);
-            spin[k][c] += step*(M + drag);
-        }
-    }
-}
-
-void dem_body_batch_scatter_spins(const struct dem_body_workspace *t, struct dem_particles *p,
-                                  size_t first, int rows)
-{
-    const double *const spin[3] = {t->batch.wx, t->batch.wy, t->batch.wz};
-    double *const impulse = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE) + 3*first;
-
-    for (int c = 0; c < rows; c++)
-    {
-        for (int k = 0; k < 3; k++)
-        {
-            p->record[first + (size_t)c].w[k] = spin[k][c];
-            impulse[3*c + k] += t->spin_impulse[k][c];
-        }
     }
 }
 
@@ -422,7 +272,7 @@ void dem_body_batch_scatter_spins(const struct dem_body_workspace *t, struct dem
 /* Four particles: velocities from columns into records, spins by the torques; the rows of v are those
    of the records then. */
 __attribute__((always_inline)) static inline void
-scatter_four(const struct dem_body_workspace *t, struct dem_particle *record, int c, int rows,
+scatter_four(const struct dem_body_workspace *work, struct dem_particle *record, int c, int rows,
              double h, dem_vec4 v[4])
 {
     dem_transpose4(v);
@@ -432,28 +282,28 @@ scatter_four(const struct dem_body_workspace *t, struct dem_particle *record, in
         const double factor = h*i->inverse_inertia;
 
         DEM_VEC4_AT(i->v) = v[k];
-        DEM_VEC4_AT(i->w) += factor*DEM_VEC4(t->contacts[c + k].torque);
+        DEM_VEC4_AT(i->w) += factor*DEM_VEC4(work->contacts[c + k].torque);
     }
 }
 
 #define VELOCITIES(c)                                                                          \
-    {DEM_VEC4(t->batch.vx + (c)), DEM_VEC4(t->batch.vy + (c)), DEM_VEC4(t->batch.vz + (c)),    \
-     DEM_VEC4(t->inverse_mass + (c))}
+    {DEM_VEC4(work->batch.vx + (c)), DEM_VEC4(work->batch.vy + (c)),                           \
+     DEM_VEC4(work->batch.vz + (c)), DEM_VEC4(work->inverse_mass + (c))}
 
 DEM_KERNEL
-static void scatter_records(const struct dem_body_workspace *restrict t,
+static void scatter_records(const struct dem_body_workspace *restrict work,
                             struct dem_particle *restrict record, int first, int rows, double h)
 {
     for (int c = first; c < rows; c += 4)
     {
         dem_vec4 v[4] = VELOCITIES(c);
 
-        scatter_four(t, record, c, rows, h, v);
+        scatter_four(work, record, c, rows, h, v);
     }
 }
 
 DEM_KERNEL
-static void scatter_and_drift(const struct dem_body_workspace *restrict t,
+static void scatter_and_drift(const struct dem_body_workspace *restrict work,
                               struct dem_particle *restrict record, int rows, double h,
                               const double round[4], struct dem_drift_speeds *speeds)
 {
@@ -462,51 +312,27 @@ static void scatter_and_drift(const struct dem_body_workspace *restrict t,
         dem_vec4 v[4] = VELOCITIES(c);
         const dem_vec4 square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
 
-        scatter_four(t, record, c, rows, h, v);
+        scatter_four(work, record, c, rows, h, v);
         dem_drift_four(record + c, v, h, round);
         dem_drift_count_speeds(speeds, &square);
     }
 }
 
-void dem_body_batch_scatter(const struct dem_body_workspace *t, struct dem_particles *p,
+void dem_body_batch_scatter(const struct dem_body_workspace *work, struct dem_particles *particles,
                             size_t first, int rows, double h)
 {
-    scatter_records(t, p->record + first, 0, rows, h);
+    scatter_records(work, particles->record + first, 0, rows, h);
 }
 
-void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *t, struct dem_particles *p,
+void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *work,
+                                      struct dem_particles *particles,
                                       size_t first, int rows, double h, const double round[4],
                                       struct dem_drift_speeds *speeds)
 {
-    struct dem_particle *const record = p->record + first;
+    struct dem_particle *const record = particles->record + first;
     const int whole = rows/4*4;
 
-    scatter_and_drift(t, record, whole, h, round, speeds);
-    scatter_records(t, record, whole, rows, h);
+    scatter_and_drift(work, record, whole, h, round, speeds);
+    scatter_records(work, record, whole, rows, h);
     dem_drift_particles(record + whole, (size_t)(rows - whole), h, round, speeds);
-}
-
-DEM_KERNEL
-static void sum_drag(const struct dem_body_workspace *restrict t, int rows, double h,
-                     double *restrict impulse, double *restrict decay, double *restrict time)
-{
-    for (int c = 0; c < rows; c++)
-    {
-        impulse[3*c] += t->jx[c];
-        impulse[3*c + 1] += t->jy[c];
-        impulse[3*c + 2] += t->jz[c];
-    }
-    for (int c = 0; c < rows; c++)
-    {
-        decay[c] *= t->decay_factor[c];
-        time[c] += t->drag[c]*h;
-    }
-}
-
-void dem_body_batch_sum_drag(const struct dem_body_workspace *t, struct dem_particles *p,
-                             size_t first, int rows, double h)
-{
-    sum_drag(t, rows, h, dem_column(p, DEM_COLUMN_DRAG_IMPULSE) + 3*first,
-             dem_column(p, DEM_COLUMN_DECAY_FACTOR) + first,
-             dem_column(p, DEM_COLUMN_DRAG_TIME) + first);
 }

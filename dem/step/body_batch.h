@@ -20,22 +20,26 @@
 struct dem_body_workspace    /* a batch of particles and its working columns */
 {
     struct dem_body_batch batch;
-    _Alignas(64) double inverse_mass[DEM_BATCH_ROWS];     /* 1/kg  inverse inertial mass */
-    /* N s   drag impulse of this kick */
-    _Alignas(64) double jx[DEM_BATCH_ROWS], jy[DEM_BATCH_ROWS], jz[DEM_BATCH_ROWS];
-    _Alignas(64) double decay_factor[DEM_BATCH_ROWS];     /* 1     decay factor exp(-z)
-                                                             of the slip in this kick */
-    _Alignas(64) double drag[DEM_BATCH_ROWS];             /* kg/s  drag coefficient b
-                                                             without the slip factor */
-    _Alignas(64) double spin_impulse[3][DEM_BATCH_ROWS];  /* N m s impulse of rotational
-                                                             drag in this kick */
-    struct dem_contact_sum contacts[DEM_BATCH_ROWS + 1];   /* sums, and one that struct dem_sum_slice asks for */
+    /* 1/kg   inverse inertial mass */
+    _Alignas(64) double inverse_mass[DEM_BATCH_ROWS];
+    /* N s    impulse of drag in this kick */
+    _Alignas(64) double drag_impulse_x[DEM_BATCH_ROWS];
+    _Alignas(64) double drag_impulse_y[DEM_BATCH_ROWS];
+    _Alignas(64) double drag_impulse_z[DEM_BATCH_ROWS];
+    /* 1      decay factor exp(-z) of the slip in this kick */
+    _Alignas(64) double decay_factor[DEM_BATCH_ROWS];
+    /* kg/s   drag coefficient without the slip factor */
+    _Alignas(64) double particle_drag[DEM_BATCH_ROWS];
+    /* N m s  impulse of rotational drag in this kick */
+    _Alignas(64) double spin_impulse[3][DEM_BATCH_ROWS];
+    /* sums, and one that struct dem_sum_slice asks for */
+    struct dem_contact_sum contacts[DEM_BATCH_ROWS + 1];
 };
 
 /* Particles in the batch that begins at `first`. */
-static inline int dem_body_batch_rows(const struct dem_particles *p, size_t first)
+static inline int dem_body_batch_rows(const struct dem_particles *particles, size_t first)
 {
-    return p->n - first < DEM_BATCH_ROWS ? (int)(p->n - first) : DEM_BATCH_ROWS;
+    return particles->n - first < DEM_BATCH_ROWS ? (int)(particles->n - first) : DEM_BATCH_ROWS;
 }
 
 /* Load the contact forces of the particles [first, first + rows) from their columns. They are loaded
@@ -58,8 +62,8 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *, const struct dem_p
 void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *, struct dem_particles *,
                                           size_t first, int rows);
 
-/* Divide drag and lift by the void fraction e, b -> b/e, so that they are the total force of a
-   steady, uniform flow, the force of its pressure gradient included. */
+/* Divide drag and lift by the void fraction, so that they are the total force of a steady,
+   uniform flow, the force of its pressure gradient included. */
 void dem_body_batch_divide_by_void_fraction(struct dem_body_workspace *);
 
 /* Apply the slip factor: the reaction of an incompressible fluid to the motion of the particles
@@ -101,8 +105,8 @@ void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *, struct 
                                       size_t first, int rows, double h, const double round[4],
                                       struct dem_drift_speeds *);
 
-/* Add the drag impulse of the kick h [s], its decay factor and b h to the columns that are passed
-   to the fluid. */
+/* Add the drag impulse of the kick h [s], its decay factor and coefficient times h to the columns
+   that are passed to the fluid. */
 void dem_body_batch_sum_drag(const struct dem_body_workspace *, struct dem_particles *,
                              size_t first, int rows, double h);
 

@@ -29,13 +29,13 @@ static double sum_of_contacts(const struct dem_contacts *c, int scalar, size_t p
 
 /* What the program adds: a source, a coefficient with its target, and what it carries over. */
 static void add_exchange(struct dem_body_scalars *s, const struct dem_scalar_step *step,
-                         const struct dem_particles *p, int k, size_t first, int rows)
+                         const struct dem_particles *particles, int k, size_t first, int rows)
 {
     const struct dem_interaction_table *const r = step->table;
-    const double *const source = dem_scalar_exchange_values(p, r, k, DEM_SCALAR_SOURCE),
-                 *const b = dem_scalar_exchange_values(p, r, k, DEM_SCALAR_COEFFICIENT),
-                 *const target = dem_scalar_exchange_values(p, r, k, DEM_SCALAR_TARGET),
-                 *const over = dem_scalar_exchange_values(p, r, k, DEM_SCALAR_CARRIED_OVER);
+    const double *const source = dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_SOURCE),
+                 *const b = dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_COEFFICIENT),
+                 *const target = dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_TARGET),
+                 *const over = dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_CARRIED_OVER);
     const double per_window = step->window > 0.0 ? 1.0/step->window : 0.0;
 
     for (int c = 0; c < rows; c++)
@@ -49,11 +49,11 @@ static void add_exchange(struct dem_body_scalars *s, const struct dem_scalar_ste
 }
 
 void dem_body_scalars_gather(struct dem_body_scalars *s, const struct dem_scalar_step *step,
-                             const struct dem_particles *p, size_t first, int rows)
+                             const struct dem_particles *particles, size_t first, int rows)
 {
     for (int k = 0; k < step->table->listed; k++)
     {
-        const double *const value = dem_scalar_values(p, k) + first;
+        const double *const value = dem_scalar_values(particles, k) + first;
 
         for (int c = 0; c < DEM_BATCH_ROWS; c++)
         {
@@ -68,7 +68,7 @@ void dem_body_scalars_gather(struct dem_body_scalars *s, const struct dem_scalar
         }
         if (step->h > 0.0 && step->table->exchanged[k])
         {
-            add_exchange(s, step, p, k, first, rows);
+            add_exchange(s, step, particles, k, first, rows);
         }
     }
 }
@@ -90,17 +90,19 @@ void dem_body_scalars_select(struct dem_body_scalars *s, struct dem_body_batch *
 
 /* What the coefficients gave, for the partner of the exchange; z = B h/C. */
 static void sum_exchange(const struct dem_body_scalars *s, const struct dem_scalar_step *step,
-                         const struct dem_particles *p, int k, size_t first, int c, double z)
+                         const struct dem_particles *particles, int k, size_t first, int c,
+                         double z)
 {
     const struct dem_interaction_table *const r = step->table;
     const size_t i = first + (size_t)c;
     const double phi = dem_phi(z), given = s->to_target[k][c] - s->coefficient[k][c]*s->value[k][c];
 
-    dem_scalar_exchange_values(p, r, k, DEM_SCALAR_RECEIVED)[i] +=
+    dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_RECEIVED)[i] +=
         step->h*(phi*given - (1.0 - phi)*s->rate[k][c]);
-    dem_scalar_exchange_values(p, r, k, DEM_SCALAR_TIME)[i] += step->h*s->coefficient[k][c];
-    dem_scalar_exchange_values(p, r, k, DEM_SCALAR_TARGET_TIME)[i] += step->h*s->to_target[k][c];
-    dem_scalar_exchange_values(p, r, k, DEM_SCALAR_DECAY)[i] *= 1.0 - z*phi;
+    dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_TIME)[i] += step->h*s->coefficient[k][c];
+    dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_TARGET_TIME)[i] +=
+        step->h*s->to_target[k][c];
+    dem_scalar_exchange_values(particles, r, k, DEM_SCALAR_DECAY)[i] *= 1.0 - z*phi;
 }
 
 /* For the energy balance: what the step adds, less what contacts add. */
@@ -114,18 +116,18 @@ static void sum_heat(const struct dem_scalar_step *step, int k, size_t particle,
 }
 
 int dem_body_scalars_integrate(const struct dem_body_scalars *s, const struct dem_scalar_step *step,
-                               struct dem_particles *p, size_t first, int rows)
+                               struct dem_particles *particles, size_t first, int rows)
 {
     const struct dem_interaction_table *const r = step->table;
     int bad = 0;
 
     for (int k = 0; k < r->listed; k++)
     {
-        double *const value = dem_scalar_values(p, k) + first;
+        double *const value = dem_scalar_values(particles, k) + first;
 
         for (int c = 0; c < rows && r->scalar[k]->flags & DEM_SCALAR_RATE; c++)
         {
-            const struct dem_particle *const q = &p->record[first + (size_t)c];
+            const struct dem_particle *const q = &particles->record[first + (size_t)c];
             const double per_capacity =
                 step->h/dem_interaction_table_capacity(r, k, q->material, q->mass);
             const double B = s->coefficient[k][c], z = B*per_capacity;
@@ -140,7 +142,7 @@ int dem_body_scalars_integrate(const struct dem_body_scalars *s, const struct de
             bad += !(value[c] >= r->scalar[k]->min && value[c] <= r->scalar[k]->max);
             if (r->exchanged[k])
             {
-                sum_exchange(s, step, p, k, first, c, z);
+                sum_exchange(s, step, particles, k, first, c, z);
             }
         }
     }

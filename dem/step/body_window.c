@@ -16,14 +16,16 @@
 #include <string.h>
 
 /* prepare_bodies of all effects; on grains, where the particles are parcels. */
-static void prepare_effects(struct dem_body_batch *b, const struct dem_particles *p,
+static void prepare_effects(struct dem_body_batch *b, const struct dem_particles *particles,
                             const struct dem_effect_list *bodies, size_t first, int rows)
 {
     double ratio[DEM_BATCH_ROWS];
 
     for (int c = 0; bodies->grains && c < DEM_BATCH_ROWS; c++)
     {
-        ratio[c] = dem_scalar_values(p, bodies->parcel_scalar)[first + (size_t)(c < rows ? c : 0)];
+        const size_t i = first + (size_t)(c < rows ? c : 0);
+
+        ratio[c] = dem_scalar_values(particles, bodies->parcel_scalar)[i];
     }
     for (int k = 0; k < bodies->entries; k++)
     {
@@ -40,112 +42,119 @@ static void prepare_effects(struct dem_body_batch *b, const struct dem_particles
     }
 }
 
-void dem_bodies_window_constants(struct dem_particles *p, const struct dem_effect_list *bodies)
+void dem_bodies_window_constants(struct dem_particles *particles,
+                                 const struct dem_effect_list *bodies)
 {
-    const int voidage = dem_column(p, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL,
-              added = dem_column(p, DEM_COLUMN_ADDED_MASS) != NULL;
+    const int voidage = dem_column(particles, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL,
+              added = dem_column(particles, DEM_COLUMN_ADDED_MASS) != NULL;
     struct dem_body_workspace t;
 
     memset(&t, 0, sizeof t);
-    for (size_t first = 0; (voidage || added) && first < p->n; first += DEM_BATCH_ROWS)
+    for (size_t first = 0; (voidage || added) && first < particles->n; first += DEM_BATCH_ROWS)
     {
-        const int rows = dem_body_batch_rows(p, first);
+        const int rows = dem_body_batch_rows(particles, first);
 
-        dem_body_batch_load_forces(&t, p, first, rows);
-        dem_body_batch_gather(&t, p, first, rows, 0);
-        dem_body_batch_gather_fluid(&t, p, first, rows, 0.0);
+        dem_body_batch_load_forces(&t, particles, first, rows);
+        dem_body_batch_gather(&t, particles, first, rows, 0);
+        dem_body_batch_gather_fluid(&t, particles, first, rows, 0.0);
         memset(t.batch.added_mass, 0, sizeof t.batch.added_mass);
-        prepare_effects(&t.batch, p, bodies, first, rows);
+        prepare_effects(&t.batch, particles, bodies, first, rows);
         if (voidage)
         {
-            dem_body_batch_store_voidage_factors(&t, p, first, rows);
+            dem_body_batch_store_voidage_factors(&t, particles, first, rows);
         }
         if (added)
         {
-            dem_body_batch_store_added_mass(&t, p, first, rows);
+            dem_body_batch_store_added_mass(&t, particles, first, rows);
         }
     }
 }
 
-static void clear(struct dem_particles *p, enum dem_column_name column)
+static void clear(struct dem_particles *particles, enum dem_column_name column)
 {
-    if (dem_column(p, column))
+    if (dem_column(particles, column))
     {
-        memset(dem_column(p, column), 0, (size_t)p->column[column].width*p->n*sizeof(double));
+        memset(dem_column(particles, column), 0,
+               (size_t)particles->column[column].width*particles->n*sizeof(double));
     }
 }
 
-void dem_bodies_begin_window(struct dem_particles *p, const struct dem_effect_list *bodies)
+void dem_bodies_begin_window(struct dem_particles *particles, const struct dem_effect_list *bodies)
 {
-    if (!dem_column(p, DEM_COLUMN_FLUID_VELOCITY))
+    if (!dem_column(particles, DEM_COLUMN_FLUID_VELOCITY))
     {
         return;
     }
-    dem_bodies_window_constants(p, bodies);
-    clear(p, DEM_COLUMN_DRAG_IMPULSE);
-    clear(p, DEM_COLUMN_OTHER_IMPULSE);
-    clear(p, DEM_COLUMN_ANGULAR_IMPULSE);
-    clear(p, DEM_COLUMN_DRAG_TIME);
-    for (size_t i = 0; i < p->n; i++)
+    dem_bodies_window_constants(particles, bodies);
+    clear(particles, DEM_COLUMN_DRAG_IMPULSE);
+    clear(particles, DEM_COLUMN_OTHER_IMPULSE);
+    clear(particles, DEM_COLUMN_ANGULAR_IMPULSE);
+    clear(particles, DEM_COLUMN_DRAG_TIME);
+    for (size_t i = 0; i < particles->n; i++)
     {
-        dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
-        memcpy(dem_column(p, DEM_COLUMN_START_VELOCITY) + 3*i, p->record[i].v,
-               sizeof p->record[i].v);
-        memcpy(dem_column(p, DEM_COLUMN_DISPLACEMENT) + 3*i, p->record[i].x, sizeof p->record[i].x);
+        dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
+        memcpy(dem_column(particles, DEM_COLUMN_START_VELOCITY) + 3*i, particles->record[i].v,
+               sizeof particles->record[i].v);
+        memcpy(dem_column(particles, DEM_COLUMN_DISPLACEMENT) + 3*i, particles->record[i].x,
+               sizeof particles->record[i].x);
     }
 }
 
 /* Displacement over the window. A wrapped particle has moved by less than half a box. */
-static void displacements(struct dem_particles *p, const struct dem_domain *domain)
+static void displacements(struct dem_particles *particles, const struct dem_domain *domain)
 {
-    double *const displacement = dem_column(p, DEM_COLUMN_DISPLACEMENT);
+    double *const displacement = dem_column(particles, DEM_COLUMN_DISPLACEMENT);
 
-    for (size_t i = 0; i < 3*p->n; i++)
+    for (size_t i = 0; i < 3*particles->n; i++)
     {
-        const double length = domain->length[i%3], moved = p->record[i/3].x[i%3] - displacement[i];
+        const double length = domain->length[i%3],
+                     moved = particles->record[i/3].x[i%3] - displacement[i];
 
         displacement[i] = moved - (length > 0.0 ? length*nearbyint(moved/length) : 0.0);
     }
 }
 
 /* R_a = a m/(m + a) for a free particle, a for a frozen one. */
-static void response_of_added_mass(struct dem_particles *p, double window)
+static void response_of_added_mass(struct dem_particles *particles, double window)
 {
-    const double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS),
-                        *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
+    const double *const added = dem_column(particles, DEM_COLUMN_ADDED_MASS),
+                        *const change = dem_column(particles, DEM_COLUMN_FLUID_CHANGE);
 
-    for (size_t i = 0; added && i < p->n; i++)
+    for (size_t i = 0; added && i < particles->n; i++)
     {
-        const struct dem_particle *const r = &p->record[i];
+        const struct dem_particle *const r = &particles->record[i];
         const double response = added[i]*(r->inverse_mass > 0.0 ? r->mass*r->inverse_mass : 1.0);
 
-        dem_column(p, DEM_COLUMN_RESPONSE)[i] += response;
+        dem_column(particles, DEM_COLUMN_RESPONSE)[i] += response;
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
-            dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k] = response*change[k]*window;
-            dem_column(p, DEM_COLUMN_OTHER_IMPULSE)[k] -=
-                dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k];
+            dem_column(particles, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k] =
+                response*change[k]*window;
+            dem_column(particles, DEM_COLUMN_OTHER_IMPULSE)[k] -=
+                dem_column(particles, DEM_COLUMN_PREDICTED_ADDED_IMPULSE)[k];
         }
     }
 }
 
-void dem_bodies_end_window(struct dem_particles *p, const struct dem_domain *domain, double window)
+void dem_bodies_end_window(struct dem_particles *particles, const struct dem_domain *domain,
+                           double window)
 {
-    const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY),
-                        *const start = dem_column(p, DEM_COLUMN_START_VELOCITY);
-    const double *const J = dem_column(p, DEM_COLUMN_DRAG_IMPULSE);
+    const double *const u = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY),
+                        *const start = dem_column(particles, DEM_COLUMN_START_VELOCITY);
+    const double *const J = dem_column(particles, DEM_COLUMN_DRAG_IMPULSE);
 
-    for (size_t i = 0; u && i < p->n; i++)
+    for (size_t i = 0; u && i < particles->n; i++)
     {
         const double free =
-            p->record[i].inverse_mass > 0.0
-                ? (1.0 - dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i])/p->record[i].inverse_mass
+            particles->record[i].inverse_mass > 0.0
+                ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/
+                      particles->record[i].inverse_mass
                 : 0.0;
-        const double held = dem_column(p, DEM_COLUMN_DRAG_TIME)[i];
-        const double slip_factor = dem_column(p, DEM_COLUMN_SLIP_FACTOR)[i];
+        const double held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i];
+        const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i];
         double slip = 0.0, impulse = 0.0, eddy[3];
 
-        dem_eddies_velocity(p, i, eddy);
+        dem_eddies_velocity(particles, i, eddy);
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
             const double w = u[k] + eddy[k - 3*i] - start[k];
@@ -156,17 +165,17 @@ void dem_bodies_end_window(struct dem_particles *p, const struct dem_domain *dom
         slip = sqrt(slip);
         impulse = sqrt(impulse);
         const double measured =
-            p->record[i].inverse_mass == 0.0 || impulse >= held*slip ? held : impulse/slip;
+            particles->record[i].inverse_mass == 0.0 || impulse >= held*slip ? held : impulse/slip;
 
         const double min = free/slip_factor;
 
-        dem_column(p, DEM_COLUMN_RESPONSE)[i] = measured > min ? measured : min;
-        dem_column(p, DEM_COLUMN_DRAG_FRACTION)[i] =
+        dem_column(particles, DEM_COLUMN_RESPONSE)[i] = measured > min ? measured : min;
+        dem_column(particles, DEM_COLUMN_DRAG_FRACTION)[i] =
             free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
     }
-    response_of_added_mass(p, window);
+    response_of_added_mass(particles, window);
     if (u)
     {
-        displacements(p, domain);
+        displacements(particles, domain);
     }
 }

@@ -11,15 +11,16 @@
 static const double pi = 3.14159265358979323846;
 
 /* The condition of a wall at this time; NULL: insulated. */
-static const struct dem_wall_scalar *condition(const struct dem_state *p, const struct dem_pair *q,
-                                               int scalar)
+static const struct dem_wall_scalar *condition(const struct dem_state *state,
+                                               const struct dem_pair *q, int scalar)
 {
-    const int wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
+    const int wall = state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall;
     const struct dem_wall_scalar *const w =
-        p->walls.wall[wall].scalars ? &p->walls.wall[wall].scalars[scalar] : NULL;
+        state->walls.wall[wall].scalars ? &state->walls.wall[wall].scalars[scalar] : NULL;
 
     /* times are sums of steps: a step that ends at the start, to rounding, is before it */
-    return w && p->time > w->start*(1.0 + 1e-12) && p->time <= w->end*(1.0 + 1e-12) ? w : NULL;
+    return w && state->time > w->start*(1.0 + 1e-12) && state->time <= w->end*(1.0 + 1e-12) ? w
+                                                                                            : NULL;
 }
 
 /* What a wall gives to a particle of radius R that touches it: flux or film on the area pi R^2. A
@@ -29,25 +30,25 @@ static double rate_of_wall(const struct dem_wall_scalar *w, double radius, doubl
     return pi*radius*radius*(w->flux + w->film*(w->value - value));
 }
 
-static void gather_radii(struct dem_contact_scalars *s, const struct dem_state *p,
+static void gather_radii(struct dem_contact_scalars *s, const struct dem_state *state,
                          const struct dem_contact_batch *b, uint32_t row, int rows)
 {
     for (int c = 0; c < b->n; c++)
     {
         const struct dem_pair *const q =
-            dem_contacts_pair(&p->contacts, row + (uint32_t)(c < rows ? c : rows - 1));
+            dem_contacts_pair(&state->contacts, row + (uint32_t)(c < rows ? c : rows - 1));
 
-        s->radius[0][c] = p->particles.record[q->i].radius;
-        s->radius[1][c] = p->particles.record[q->wall ? q->i : q->j].radius;
+        s->radius[0][c] = state->particles.record[q->i].radius;
+        s->radius[1][c] = state->particles.record[q->wall ? q->i : q->j].radius;
     }
 }
 
-void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_state *p,
+void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_state *state,
                                 const struct dem_contact_batch *b, uint32_t row, int rows)
 {
-    for (int k = 0; k < p->interaction_table.listed; k++)
+    for (int k = 0; k < state->interaction_table.listed; k++)
     {
-        const double *const all = dem_scalar_values(&p->particles, k);
+        const double *const all = dem_scalar_values(&state->particles, k);
         double *const of_i = s->value[0][k], *const of_j = s->value[1][k];
 
         memset(s->rate[0][k], 0, sizeof s->rate[0][k]);
@@ -55,8 +56,8 @@ void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_
         for (int c = 0; c < b->n; c++)
         {
             const struct dem_pair *const q =
-                dem_contacts_pair(&p->contacts, row + (uint32_t)(c < rows ? c : rows - 1));
-            const struct dem_wall_scalar *const w = q->wall ? condition(p, q, k) : NULL;
+                dem_contacts_pair(&state->contacts, row + (uint32_t)(c < rows ? c : rows - 1));
+            const struct dem_wall_scalar *const w = q->wall ? condition(state, q, k) : NULL;
 
             of_i[c] = all[q->i];
             of_j[c] = !q->wall ? all[q->j] : w && w->given ? w->value : of_i[c];
@@ -64,9 +65,9 @@ void dem_contact_scalars_gather(struct dem_contact_scalars *s, const struct dem_
                 w ? b->touching[c]*rate_of_wall(w, b->min_radius[c], of_i[c]) : 0.0;
         }
     }
-    if (p->interaction_table.needs & DEM_NEEDS_RADII)
+    if (state->interaction_table.needs & DEM_NEEDS_RADII)
     {
-        gather_radii(s, p, b, row, rows);
+        gather_radii(s, state, b, row, rows);
     }
 }
 

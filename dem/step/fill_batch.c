@@ -20,7 +20,7 @@
 
 /* ---- gathering ------------------------------------------------------------------------------- */
 
-static void gather_walls(struct dem_contact_workspace *restrict t, const struct dem_state *p,
+static void gather_walls(struct dem_contact_workspace *restrict t, const struct dem_state *state,
                          const uint32_t *restrict row_pair)
 {
     struct dem_gathered *const g = &t->gathered;
@@ -28,9 +28,9 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
-        const struct dem_particle *const i = &p->particles.record[q->i];
-        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+        const struct dem_pair *const q = &state->contacts.pairs.pair[row_pair[c]];
+        const struct dem_particle *const i = &state->particles.record[q->i];
+        const struct dem_wall_touch *const at = &state->touches.touch[q->j];
         /* behind the plane of a one-sided wall the distance is negative and n still points into the
            domain */
         const double distance = at->distance < 4.0*i->radius ? at->distance : 4.0*i->radius;
@@ -61,24 +61,26 @@ static void gather_walls(struct dem_contact_workspace *restrict t, const struct 
 }
 
 /* Scalars that have columns in the batch: the value of the particle. */
-static void gather_scalars_at_walls(struct dem_contact_batch *b, const struct dem_state *p,
+static void gather_scalars_at_walls(struct dem_contact_batch *b, const struct dem_state *state,
                                     unsigned needs, const uint32_t *row_pair)
 {
-    for (int k = 0; k < p->particles.batch.n; k++)
+    for (int k = 0; k < state->particles.batch.n; k++)
     {
-        double *const to = dem_contact_batch_column(b, &p->particles, k, needs);
+        double *const to = dem_contact_batch_column(b, &state->particles, k, needs);
 
         for (int c = 0; to && c < b->n; c++)
         {
-            to[c] = dem_batch_column_values(&p->particles,
-                                            k)[p->contacts.pairs.pair[row_pair[c]].i];
+            const uint32_t i = state->contacts.pairs.pair[row_pair[c]].i;
+
+            to[c] = dem_batch_column_values(&state->particles, k)[i];
         }
     }
 }
 
 /* A wall that moves, is curved, or has a tangential surface velocity: its velocity and spin, its
    normal half a step ago, and its curvature. */
-static void gather_wall_motion(struct dem_contact_workspace *restrict t, const struct dem_state *p,
+static void gather_wall_motion(struct dem_contact_workspace *restrict t,
+                               const struct dem_state *state,
                            const uint32_t *restrict row_pair)
 {
     struct dem_gathered *const g = &t->gathered;
@@ -86,17 +88,17 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
-        const struct dem_particle *const i = &p->particles.record[q->i];
+        const struct dem_pair *const q = &state->contacts.pairs.pair[row_pair[c]];
+        const struct dem_particle *const i = &state->particles.record[q->i];
         struct dem_wall_surface wall;
-        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
-        const int facet = dem_pairs_facet(&p->pairs, q->j);
+        const struct dem_wall_touch *const at = &state->touches.touch[q->j];
+        const int facet = dem_pairs_facet(&state->pairs, q->j);
 
-        dem_wall_surface_at(&p->walls, facet, i, at, b->dt, &wall);
-        if (dem_wall_surface_follows_mesh(&p->walls, facet))
+        dem_wall_surface_at(&state->walls, facet, i, at, b->dt, &wall);
+        if (dem_wall_surface_follows_mesh(&state->walls, facet))
         {
-            dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j, i->x, at,
-                                             b->dt, &wall);
+            dem_wall_surface_add_mesh_motion(&state->walls, &state->pairs.wall_search, q->j, i->x,
+                                             at, b->dt, &wall);
         }
         g->vx[c] -= wall.velocity[0];
         g->vy[c] -= wall.velocity[1];
@@ -113,6 +115,18 @@ static void gather_wall_motion(struct dem_contact_workspace *restrict t, const s
 
 /* ---- geometry -------------------------------------------------------------------------------- */
 
+DEM_MATH void store_motion(const struct dem_contact_row *r, struct dem_contact_batch *restrict b,
+                           int c)
+{
+    b->overlap[c] = r->overlap;
+    b->touching[c] = r->touching;
+    b->vn[c] = r->vn;
+    b->sx[c] = r->sx;
+    b->sy[c] = r->sy;
+    b->sz[c] = r->sz;
+    b->normal_spin[c] = r->normal_spin;
+}
+
 /* In one loop, because the roots and the division of the first part leave time for the second. */
 DEM_KERNEL
 static void geometry_of_pairs(struct dem_contact_batch *restrict b,
@@ -124,8 +138,16 @@ static void geometry_of_pairs(struct dem_contact_batch *restrict b,
 
         dem_geometry_pair(g, c, b->dt, &r);
         dem_geometry_motion(g, c, 1.0, &r);
-        DEM_STORE(nx, ny, nz, hx, hy, hz, reduced_radius, reduced_mass, min_radius)
-        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
+        b->nx[c] = r.nx;
+        b->ny[c] = r.ny;
+        b->nz[c] = r.nz;
+        b->hx[c] = r.hx;
+        b->hy[c] = r.hy;
+        b->hz[c] = r.hz;
+        b->reduced_radius[c] = r.reduced_radius;
+        b->reduced_mass[c] = r.reduced_mass;
+        b->min_radius[c] = r.min_radius;
+        store_motion(&r, b, c);
     }
 }
 
@@ -154,7 +176,7 @@ static void motion_at_walls(struct dem_contact_batch *restrict b,
                                     .overlap = b->overlap[c]};
 
         dem_geometry_motion(g, c, 0.5, &r);
-        DEM_STORE(overlap, touching, vn, sx, sy, sz, normal_spin)
+        store_motion(&r, b, c);
     }
 }
 
@@ -187,16 +209,16 @@ static void pad(const struct dem_contact_workspace *restrict t, const uint32_t *
 
 /* Where another facet has taken over the contact, the distance is measured along the old normal:
    bonds and films made there persist. */
-static void gaps_of_walls(struct dem_contact_workspace *restrict t, const struct dem_state *p,
+static void gaps_of_walls(struct dem_contact_workspace *restrict t, const struct dem_state *state,
                           const uint32_t *restrict row_pair)
 {
     struct dem_contact_batch *const b = &t->batch;
 
     for (int c = 0; c < b->n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
-        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
-        const double *const x = p->particles.record[q->i].x;
+        const struct dem_pair *const q = &state->contacts.pairs.pair[row_pair[c]];
+        const struct dem_wall_touch *const at = &state->touches.touch[q->j];
+        const double *const x = state->particles.record[q->i].x;
         const double height = (x[0] - at->point[0])*at->normal[0] +
                               (x[1] - at->point[1])*at->normal[1] +
                               (x[2] - at->point[2])*at->normal[2];
@@ -240,25 +262,26 @@ static void motion_past_touching(struct dem_contact_batch *restrict b,
     }
 }
 
-static void random_numbers(struct dem_contact_workspace *t, const struct dem_state *p,
+static void random_numbers(struct dem_contact_workspace *t, const struct dem_state *state,
                            const uint32_t *row_pair)
 {
     for (int c = 0; c < t->batch.n; c++)
     {
-        const struct dem_pair *const q = &p->contacts.pairs.pair[row_pair[c]];
-        const int64_t i = p->particles.record[q->i].id;
-        const int64_t j = q->wall ? -1 - p->pairs.wall_facet[q->j].number : p->particles.record[q->j].id;
+        const struct dem_pair *const q = &state->contacts.pairs.pair[row_pair[c]];
+        const int64_t i = state->particles.record[q->i].id;
+        const int64_t j = q->wall ? -1 - state->pairs.wall_facet[q->j].number
+                                  : state->particles.record[q->j].id;
 
         t->batch.pair_random[c] = dem_random_unit((uint64_t)i, (uint64_t)j, 0, 0);
     }
 }
 
-static void fill_past_touching(struct dem_contact_workspace *t, const struct dem_state *p,
+static void fill_past_touching(struct dem_contact_workspace *t, const struct dem_state *state,
                                const struct dem_effect_list *effects, const uint32_t *padded)
 {
     if (effects->pair.with_wall)
     {
-        gaps_of_walls(t, p, padded);
+        gaps_of_walls(t, state, padded);
     }
     else
     {
@@ -267,7 +290,7 @@ static void fill_past_touching(struct dem_contact_workspace *t, const struct dem
     motion_past_touching(&t->batch, &t->gathered);
     if (effects->needs & DEM_NEEDS_RANDOM)
     {
-        random_numbers(t, p, padded);
+        random_numbers(t, state, padded);
     }
 }
 
@@ -284,24 +307,24 @@ static void give_frozen_pairs_mass(struct dem_contact_workspace *t)
 
 /* ---- the batch ------------------------------------------------------------------------------- */
 
-static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *p,
+static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *state,
                        const struct dem_effect_list *effects, const uint32_t *padded)
 {
-    gather_walls(t, p, padded);
-    gather_scalars_at_walls(&t->batch, p, effects->needs, padded);
+    gather_walls(t, state, padded);
+    gather_scalars_at_walls(&t->batch, state, effects->needs, padded);
     normals_of_walls(&t->batch);
-    if (!p->walls.all_flat_static)
+    if (!state->walls.all_flat_static)
     {
-        gather_wall_motion(t, p, padded);
+        gather_wall_motion(t, state, padded);
     }
     motion_at_walls(&t->batch, &t->gathered);
-    if (!p->walls.all_flat_static && effects->needs & DEM_NEEDS_NORMAL_SPIN)
+    if (!state->walls.all_flat_static && effects->needs & DEM_NEEDS_NORMAL_SPIN)
     {
         add_normal_spin_of_walls(t);
     }
 }
 
-void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_state *p,
+void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_state *state,
                             const struct dem_effect_list *effects, uint32_t row, int rows)
 {
     uint32_t padded[DEM_BATCH_ROWS];
@@ -309,15 +332,15 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     t->batch.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
     if (effects->pair.with_wall || effects->past_touching)
     {
-        pad(t, p->contacts.rows.pair + row, rows, padded);
+        pad(t, state->contacts.rows.pair + row, rows, padded);
     }
     if (effects->pair.with_wall)
     {
-        fill_walls(t, p, effects, padded);
+        fill_walls(t, state, effects, padded);
     }
     else
     {
-        dem_gather_pairs(t, p, effects->needs, p->contacts.rows.partners + row);
+        dem_gather_pairs(t, state, effects->needs, state->contacts.rows.partners + row);
         if (effects->scalars)
         {
             give_frozen_pairs_mass(t);
@@ -326,6 +349,6 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     }
     if (effects->past_touching)
     {
-        fill_past_touching(t, p, effects, padded);
+        fill_past_touching(t, state, effects, padded);
     }
 }

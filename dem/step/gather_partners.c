@@ -103,18 +103,18 @@ static void gather_mean(int n, double *restrict to, const double *restrict value
     }
 }
 
-void dem_gather_pairs(struct dem_contact_workspace *t, const struct dem_state *p, unsigned needs,
-                      const struct dem_row_partners *partners)
+void dem_gather_pairs(struct dem_contact_workspace *t, const struct dem_state *state,
+                      unsigned needs, const struct dem_row_partners *partners)
 {
     double *to;
 
-    (needs & DEM_NEEDS_SPIN ? gather_with_spin : gather_basic)(t, p->particles.record,
-                                                               p->pairs.shift, partners);
-    for (int k = 0; k < p->particles.batch.n; k++)
+    (needs & DEM_NEEDS_SPIN ? gather_with_spin : gather_basic)(t, state->particles.record,
+                                                               state->pairs.shift, partners);
+    for (int k = 0; k < state->particles.batch.n; k++)
     {
-        if ((to = dem_contact_batch_column(&t->batch, &p->particles, k, needs)) != NULL)
+        if ((to = dem_contact_batch_column(&t->batch, &state->particles, k, needs)) != NULL)
         {
-            gather_mean(t->batch.n, to, dem_batch_column_values(&p->particles, k), partners);
+            gather_mean(t->batch.n, to, dem_batch_column_values(&state->particles, k), partners);
         }
     }
 }

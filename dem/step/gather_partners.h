@@ -20,17 +20,18 @@ void dem_gather_pairs(struct dem_contact_workspace *, const struct dem_state *, 
    with these needs reads it. In the first evaluation of a run the fluid is not known: there it stays
    0. */
 static inline double *dem_contact_batch_column(struct dem_contact_batch *b,
-                                               const struct dem_particles *p, int k, unsigned needs)
+                                               const struct dem_particles *particles, int k,
+                                               unsigned needs)
 {
-    const struct dem_scalar_batch *const to = p->batch.at[k].to;
+    const struct dem_scalar_batch *const to = particles->batch.at[k].to;
 
     return needs & to->contact_needs && b->dt > 0.0 ? (double *)(void *)((char *)b + to->contact)
                                                     : NULL;
 }
 
-static inline const double *dem_batch_column_values(const struct dem_particles *p, int k)
+static inline const double *dem_batch_column_values(const struct dem_particles *particles, int k)
 {
-    return p->column[p->batch.at[k].column].data;
+    return particles->column[particles->batch.at[k].column].data;
 }
 
 #endif

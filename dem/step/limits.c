@@ -1,6 +1,6 @@
 /*
- * limits.c -- largest overlap and forces that are not a number, batch by batch; at the end of the
- * sweep an error message if needed.
+ * limits.c -- displacements of a drift; largest overlap and forces that are not a number, batch by
+ * batch, and at the end of the sweep an error message if needed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/math.h"
 #include "laws/effect.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,13 +37,13 @@ static double worst_of(const struct dem_contact_batch *restrict b)
     return worst;
 }
 
-void dem_limits_check_record(struct dem_state *p, const struct dem_contact_workspace *t,
+void dem_limits_check_record(struct dem_state *state, const struct dem_contact_workspace *t,
                              uint32_t row, int rows)
 {
     const double worst = worst_of(&t->batch);
     int lane = 0;
 
-    if (worst <= p->limits.overlap)
+    if (worst <= state->limits.overlap)
     {
         return;
     }
@@ -55,25 +56,26 @@ void dem_limits_check_record(struct dem_state *p, const struct dem_contact_works
                    : lane;
     }
     const struct dem_pair *const q =
-        dem_contacts_pair(&p->contacts, row + (uint32_t)(lane < rows ? lane : rows - 1));
-    const struct dem_particle *const i = &p->particles.record[q->i];
+        dem_contacts_pair(&state->contacts, row + (uint32_t)(lane < rows ? lane : rows - 1));
+    const struct dem_particle *const i = &state->particles.record[q->i];
 
-    p->limits.overlap = worst;
-    p->limits.lawless = !dem_effect_list_has_law(&p->interaction_table.list[q->class]);
-    p->limits.i = i->id;
-    p->limits.j = q->wall ? -1 - p->pairs.wall_facet[q->j].number : p->particles.record[q->j].id;
-    memcpy(p->limits.x, i->x, sizeof i->x);
+    state->limits.overlap = worst;
+    state->limits.lawless = !dem_effect_list_has_law(&state->interaction_table.list[q->class]);
+    state->limits.i = i->id;
+    state->limits.j = q->wall ? -1 - state->pairs.wall_facet[q->j].number
+                              : state->particles.record[q->j].id;
+    memcpy(state->limits.x, i->x, sizeof i->x);
 }
 
 /* The partners of the worst row, as text. */
-static void partner_names(const struct dem_state *p, char *text, size_t size)
+static void partner_names(const struct dem_state *state, char *text, size_t size)
 {
-    const struct dem_limits *const w = &p->limits;
+    const struct dem_limits *const w = &state->limits;
 
     if (w->j < 0)
     {
         snprintf(text, size, "particle %lld and wall %s", (long long)w->i,
-                 p->walls.wall[dem_walls_with_facet(&p->walls, (int)(-1 - w->j))].name);
+                 state->walls.wall[dem_walls_with_facet(&state->walls, (int)(-1 - w->j))].name);
     }
     else
     {
@@ -81,29 +83,107 @@ static void partner_names(const struct dem_state *p, char *text, size_t size)
     }
 }
 
-int dem_limits_check_status(const struct dem_state *p)
+int dem_limits_check_status(const struct dem_state *state)
 {
-    const struct dem_limits *const w = &p->limits;
+    const struct dem_limits *const w = &state->limits;
     char names[160];
 
     if (w->overlap <= w->limit)
     {
         return DEM_OK;
     }
-    partner_names(p, names, sizeof names);
+    partner_names(state, names, sizeof names);
     DEM_REQUIRE(
         w->overlap < 1e29, DEM_ERROR_NUMBER,
         "the force between %s near (%g %g %g) m is not a number at step %lld; check their input, or the fluid "
         "around them",
-        names, w->x[0], w->x[1], w->x[2], (long long)p->steps);
+        names, w->x[0], w->x[1], w->x[2], (long long)state->steps);
     DEM_REQUIRE(
         !w->lawless, DEM_ERROR_NUMBER,
         "%s near (%g %g %g) m pass through each other at time %g s: no contact law acts between them; add a normal law to "
         "effects, hertz {} for example",
-        names, w->x[0], w->x[1], w->x[2], p->time);
+        names, w->x[0], w->x[1], w->x[2], state->time);
     return dem_error(
         DEM_ERROR_NUMBER,
         "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
         "smaller step or a stiffer material, or raise time/maxOverlap",
-        names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)p->steps, w->limit);
+        names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)state->steps, w->limit);
+}
+
+/* ---- displacements --------------------------------------------------------------------------- */
+
+/* m: displacement of walls in the last step towards which a particle may have moved, with two sides:
+   behind a wall with one side it is found anyway. */
+static double two_sided_displacement(const struct dem_walls *w)
+{
+    int moves = w->following > 0;
+
+    for (int k = 0; k < w->frames; k++)
+    {
+        moves |= w->frame[k].triangles;
+    }
+    return moves ? w->displacement : 0.0;
+}
+
+int dem_limits_check_displacements(const struct dem_state *state, double max_speed)
+{
+    const double light = dem_particle_max_speed, dt = state->dt;
+    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
+    double min_radius = INFINITY;
+
+    for (int c = 0; c < state->interaction_table.classes; c++)
+    {
+        const int material =
+            (int)(state->interaction_table.list[c].pair.a - state->interaction_table.material);
+
+        min_radius = state->interaction_table.list[c].entries > 0
+                         ? fmin(min_radius, state->interaction_table.min_radius[material])
+                         : min_radius;
+    }
+    DEM_REQUIRE(
+        state->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
+        "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
+        "contact; use a smaller time/step, or a slower motion",
+        state->walls.displacement, (long long)state->steps, state->time, min_radius);
+    const double wall = two_sided_displacement(&state->walls);
+
+    for (size_t i = 0;
+         (max_speed*dt + wall > min_radius || max_speed > limit || max_speed > light) &&
+         i < state->particles.n;
+         i++)
+    {
+        const struct dem_particle *const q = &state->particles.record[i];
+        const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
+
+        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER,
+                    "the velocity of particle %lld is not a number at step %lld; check the "
+                    "forces on it, and the fluid around it",
+                    (long long)q->id, (long long)state->steps);
+        DEM_REQUIRE(
+            speed <= limit, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
+            "or raise the limit",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)state->steps, limit,
+            state->interaction_table.step_limit < dt*(1.0 - 1e-9)
+                ? "the time step is forced above the limit of its laws"
+                : "an impact, a wall, the fluid");
+        DEM_REQUIRE(
+            speed <= light, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
+            "use a smaller time/step, or check the forces on it",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)state->steps, light);
+        DEM_REQUIRE(
+            speed*dt <= q->radius, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
+            "or it may miss a contact; use a smaller time/step, or check the forces on it",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)state->steps, speed,
+            q->radius);
+        DEM_REQUIRE(
+            speed*dt + wall <= q->radius, DEM_ERROR_NUMBER,
+            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld and a wall by %.3g m; the limit of the sum is %g m, "
+            "its radius, or they may miss a contact; use a smaller time/step, or a slower motion",
+            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)state->steps, wall,
+            q->radius);
+    }
+    return DEM_OK;
 }

@@ -1,6 +1,6 @@
 /*
- * limits.h -- limits check: overlaps above the limit and forces that are not a number, reported
- * with partners, position and step.
+ * limits.h -- limits check: overlaps and displacements above the limit and forces that are not a
+ * number, reported with partners, position and step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,5 +17,12 @@ void dem_limits_check_record(struct dem_state *, const struct dem_contact_worksp
 
 /* DEM_ERROR_NUMBER, with the names of the partners, when the worst row is above the limit. */
 int dem_limits_check_status(const struct dem_state *);
+
+/* After a drift, with the largest speed of this rank [m/s]: DEM_ERROR_NUMBER when a particle or a
+   wall has moved too far. A particle that moves by more than its radius in one step may pass
+   another, or triangles, unseen, and so may triangles that move towards it; the limit is the
+   smallest radius of the materials with contact effects. Speeds above time/maxSpeed and above the
+   speed of light are errors, too. */
+int dem_limits_check_displacements(const struct dem_state *, double max_speed);
 
 #endif

@@ -20,8 +20,4 @@ int dem_neighbor_agreement_due(const struct dem_state *, double moved);
    to be inside a periodic box up to half a skin. Ghosts are up to date afterwards. */
 int dem_neighbor_update(struct dem_state *, const double *moved, int n, int observed);
 
-/* Collective. Rebuild at the present positions: order of particles, ghosts, pairs, contact rows and
-   their history. */
-int dem_neighbor_rebuild(struct dem_state *);
-
 #endif

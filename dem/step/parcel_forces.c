@@ -74,8 +74,8 @@ static int get_results(const struct dem_effect_entry *e, struct dem_body_batch *
 {
     int n = 10;
 
-    memcpy(column, (double *[]){b->fx, b->fy, b->fz, b->b, b->bux, b->buy, b->buz, b->rx, b->ry,
-                                b->rz}, 10*sizeof *column);
+    memcpy(column, (double *[]){b->fx, b->fy, b->fz, b->drag, b->drag_ux, b->drag_uy, b->drag_uz,
+                                b->rx, b->ry, b->rz}, 10*sizeof *column);
     for (int k = 0; k < e->scalars; k++)
     {
         column[n++] = b->scalars[k].rate;

@@ -3,8 +3,9 @@
  * steps around it. The function step() below is the table of phases:
  *
  * 1. Drift positions, rotate orientations, move walls.
- * 2. All ranks agree on the largest speeds, on a request to stop and on errors (one all-reduce): in
- *    each step, or every few steps where time/maxSpeed bounds how far particles can have moved.
+ * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors
+ *    (one all-reduce): in each step, or every few steps where time/maxSpeed bounds how far
+ *    particles can have moved.
  * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
  * 4. Contact forces, batch by batch (sweep_contacts.c).
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
@@ -19,19 +20,20 @@
  */
 #include "step/step.h"
 #include "core/clock.h"
-#include "core/memory.h"
+#include "particles/orientation.h"
+#include "particles/scalars.h"
+#include "ranks/agree.h"
 #include "records/energy_balance.h"
+#include "records/grid_averages.h"
 #include "records/timers.h"
 #include "records/wall_statistics.h"
 #include "sources/flows.h"
-#include "particles/orientation.h"
-#include "particles/scalars.h"
-#include "records/grid_averages.h"
-#include "ranks/agree.h"
 #include "step/body_window.h"
 #include "step/drift.h"
 #include "step/eddies.h"
+#include "step/limits.h"
 #include "step/neighbor_update.h"
+#include "step/step_backup.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
@@ -40,257 +42,129 @@
 #include <string.h>
 
 /* The integration of particle scalars over h [s]; 0: none, they are only read. */
-static struct dem_scalar_step scalar_step(const struct dem_state *p, double h)
+static struct dem_scalar_step scalar_step(const struct dem_state *state, double h)
 {
-    return (struct dem_scalar_step){.table =
-                                        p->interaction_table.listed ? &p->interaction_table : NULL,
-                                    .contacts = &p->contacts,
-                                    .h = h,
-                                    .window = p->window};
-}
-
-/* ---- backup ---------------------------------------------------------------------------------- */
-
-/* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
-static int has_invalid_number(const struct dem_particles *p)
-{
-    const double *const force = dem_column(p, DEM_COLUMN_FORCE);
-    const double *const torque = dem_column(p, DEM_COLUMN_TORQUE);
-    double sum = 0.0;
-
-    for (size_t i = 0; i < p->n; i++)
-    {
-        for (size_t k = 0; k < 3; k++)
-        {
-            sum += 0.0*(p->record[i].x[k] + p->record[i].v[k] + p->record[i].w[k] +
-                          force[3*i + k] + torque[3*i + k]);
-        }
-    }
-    return isnan(sum);
-}
-
-/* Within a window velocities are half a kick behind. The copy gets this half kick [s]; the run
-   itself is not changed by the backup. */
-static int make_backup(struct dem_state *p, int status, double half_kick)
-{
-    struct dem_backup *const backup = &p->backup;
-    double invalid = has_invalid_number(&p->particles);
-
-    DEM_TRY(dem_agree_max(p, status, &invalid, 1));
-    if (invalid > 0.0)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(dem_backup_save(backup, &p->particles, &p->contacts, p->pairs.wall_facet));
-    dem_flows_backup(p->flows);
-    backup->time = p->time;
-    backup->steps = p->steps;
-    if (half_kick > 0.0)
-    {
-        dem_sweep_bodies(&backup->particles, &p->interaction_table.bodies,
-                         &(struct dem_body_sweep){.kick = half_kick,
-                                                  .window = p->window,
-                                                  .scalars = scalar_step(p, p->dt)});
-        dem_domain_constrain(&p->domain, &backup->particles);
-    }
-    return DEM_OK;
-}
-
-int dem_step_backup(struct dem_state *p)
-{
-    if (p->half_step_ahead)
-    {
-        p->backup.steps = p->backup.valid ? p->backup.steps : p->steps - p->backup.every;
-        return DEM_OK;
-    }
-    return make_backup(p, DEM_OK, 0.0);
-}
-
-/* Keep the first error of this rank until the ranks agree; returns it, with its text. */
-static int keep_error(struct dem_unagreed *u, int status)
-{
-    if (status && !u->status)
-    {
-        u->status = status;
-        snprintf(u->text, sizeof u->text, "%s", dem_error_text());
-    }
-    return u->status ? dem_error(u->status, "%s", u->text) : DEM_OK;
+    return (struct dem_scalar_step){
+        .table = state->interaction_table.listed ? &state->interaction_table : NULL,
+        .contacts = &state->contacts,
+        .h = h,
+        .window = state->window.length};
 }
 
 /* ---- phases of the step ---------------------------------------------------------------------- */
 
-/* m: displacement of walls in the last step towards which a particle may have moved, with two sides:
-   behind a wall with one side it is found anyway. */
-static double two_sided_displacement(const struct dem_walls *w)
-{
-    int moves = w->following > 0;
-
-    for (int k = 0; k < w->frames; k++)
-    {
-        moves |= w->frame[k].triangles;
-    }
-    return moves ? w->displacement : 0.0;
-}
-
-/* A particle that moves by more than its radius in one step may pass another, or triangles, unseen,
-   and so may triangles that move towards it; the limit is the smallest radius of the materials with
-   contact effects. Speeds above time/maxSpeed and above the speed of light are errors, too. */
-static int check_displacements(const struct dem_state *p, double max_speed, double dt)
-{
-    const double light = dem_particle_max_speed;
-    const double limit = p->limits.max_speed > 0.0 ? p->limits.max_speed : INFINITY;
-    double min_radius = INFINITY;
-
-    for (int c = 0; c < p->interaction_table.classes; c++)
-    {
-        const int material =
-            (int)(p->interaction_table.list[c].pair.a - p->interaction_table.material);
-
-        min_radius = p->interaction_table.list[c].entries > 0
-                         ? fmin(min_radius, p->interaction_table.min_radius[material])
-                         : min_radius;
-    }
-    DEM_REQUIRE(
-        p->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
-        "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "
-        "contact; use a smaller time/step, or a slower motion",
-        p->walls.displacement, (long long)p->steps, p->time, min_radius);
-    const double wall = two_sided_displacement(&p->walls);
-
-    for (size_t i = 0;
-         (max_speed*dt + wall > min_radius || max_speed > limit || max_speed > light) &&
-         i < p->particles.n;
-         i++)
-    {
-        const struct dem_particle *const q = &p->particles.record[i];
-        const double speed = sqrt(q->v[0]*q->v[0] + q->v[1]*q->v[1] + q->v[2]*q->v[2]);
-
-        DEM_REQUIRE(!isnan(speed), DEM_ERROR_NUMBER,
-                    "the velocity of particle %lld is not a number at step %lld; check the "
-                    "forces on it, and the fluid around it",
-                    (long long)q->id, (long long)p->steps);
-        DEM_REQUIRE(
-            speed <= limit, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit time/maxSpeed is %g m/s; check what accelerates it (%s), "
-            "or raise the limit",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, limit,
-            p->interaction_table.step_limit < dt*(1.0 - 1e-9)
-                ? "the time step is forced above the limit of its laws"
-                : "an impact, a wall, the fluid");
-        DEM_REQUIRE(
-            speed <= light, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m has %g m/s in step %lld; the limit is %g m/s, the speed of light; "
-            "use a smaller time/step, or check the forces on it",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed, (long long)p->steps, light);
-        DEM_REQUIRE(
-            speed*dt <= q->radius, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld, at %g m/s; its radius is %g m, which is the limit, "
-            "or it may miss a contact; use a smaller time/step, or check the forces on it",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, speed,
-            q->radius);
-        DEM_REQUIRE(
-            speed*dt + wall <= q->radius, DEM_ERROR_NUMBER,
-            "particle %lld at (%g %g %g) m moves by %.3g m in step %lld and a wall by %.3g m; the limit of the sum is %g m, "
-            "its radius, or they may miss a contact; use a smaller time/step, or a slower motion",
-            (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)p->steps, wall, q->radius);
-    }
-    return DEM_OK;
-}
-
 /* The drift itself, unless the last step has done so already. Returns the largest speed of this
    rank [m/s]. */
-static double drift_particles(struct dem_state *p)
+static double drift_particles(struct dem_state *state)
 {
     struct dem_drift_speeds speeds = {{0.0}, {0.0}};
 
-    if (p->next_drift_done)
+    if (state->next_drift.done)
     {
-        p->next_drift_done = 0;
-        return p->fastest;
+        state->next_drift.done = 0;
+        return state->next_drift.max_speed;
     }
-    dem_drift_particles(p->particles.record, p->particles.n, p->dt, p->domain.round, &speeds);
+    dem_drift_particles(state->particles.record, state->particles.n, state->dt, state->domain.round,
+                        &speeds);
     return dem_drift_max_speed(&speeds);
 }
 
-/* 1. From here on p->time and p->steps refer to the end of the step. Returns the largest speed
-   of this rank [m/s]. */
-static double drift(struct dem_state *p, double kick)
+/* 1. From here on time and steps of the state refer to the end of the step. Returns the largest
+   speed of this rank [m/s]. */
+static double drift(struct dem_state *state, int last)
 {
-    const double max_speed = drift_particles(p);
+    const double max_speed = drift_particles(state);
 
-    dem_orientation_turn(&p->particles, p->dt);
-    p->steps++;
-    dem_eddies_advance(&p->particles, &p->interaction_table.bodies, p->dt, p->steps);
-    dem_walls_move(&p->walls, p->time, p->dt);
-    dem_walls_advance(&p->walls, p->steps - p->steps_before, p->steps_ahead);
-    if (p->energy_balance->open)
+    dem_orientation_turn(&state->particles, state->dt);
+    state->steps++;
+    dem_eddies_advance(&state->particles, &state->interaction_table.bodies, state->dt,
+                       state->steps);
+    dem_walls_move(&state->walls, state->time, state->dt);
+    dem_walls_advance(&state->walls, state->steps - state->window.steps_before,
+                      state->window.steps);
+    if (state->energy_balance->open)
     {
-        dem_energy_balance_after_drift(p, p->dt);
-        p->energy_balance->sums_elastic = kick < p->dt;
+        dem_energy_balance_after_drift(state, state->dt);
+        state->energy_balance->sums_elastic = last;
     }
     return max_speed;
 }
 
-/* Take the largest displacements [m] of all ranks in the steps since the last agreement. */
-static int agree_now(struct dem_state *p, double max[DEM_UNAGREED_STEPS + 1])
+/* An error of the last step or of this drift, on this rank. */
+static int check_drift(struct dem_state *state, double max_speed, int status)
 {
-    struct dem_unagreed *const u = &p->unagreed;
-    int status = keep_error(u, DEM_OK), invalid = 0;
+    status = dem_unagreed_keep_error(&state->unagreed, status);
+    status = status ? status : dem_limits_check_displacements(state, max_speed);
+    status = dem_unagreed_keep_error(&state->unagreed, status);
+    dem_timers_end_phase(state->timers, DEM_PHASE_DRIFT);
+    return status;
+}
+
+/* Take the largest displacements [m] of all ranks in the steps since the last agreement. */
+static int agree_now(struct dem_state *state, double max[DEM_UNAGREED_STEPS + 1])
+{
+    struct dem_unagreed *const u = &state->unagreed;
+    int status = dem_unagreed_keep_error(u, DEM_OK), invalid = 0;
 
     memcpy(max, u->moved, (size_t)u->n*sizeof *max);
-    max[u->n] = p->stop_request ? (double)*p->stop_request : 0.0;
-    status = dem_agree_max(p, status, max, u->n + 1);
+    max[u->n] = state->stop_request ? (double)*state->stop_request : 0.0;
+    status = dem_agree_max(state, status, max, u->n + 1);
     for (int k = 0; k < u->n; k++)
     {
         invalid |= !isfinite(max[k]);
     }
     if (status || invalid)
     {
-        dem_halo_wait(&p->halo);
+        dem_halo_wait(&state->halo);
     }
     DEM_TRY(status);
     DEM_REQUIRE(!invalid, DEM_ERROR_NUMBER,
                 "a particle's velocity is not a number at step %lld; check the forces "
                 "on it, and the fluid around it",
-                (long long)p->steps);
-    p->stopped = (int)max[u->n];
+                (long long)state->steps);
+    state->window.stopped = (int)max[u->n];
     return DEM_OK;
 }
 
-/* 2. Agree now, or in a later step when no particle below time/maxSpeed can have used up a skin until
-   then; n: number of steps agreed on. Ghost data is sent before, to hide its latency; when lists are
-   rebuilt it was not needed. `last`: 1 in the last step of a window. */
-static int agree(struct dem_state *p, double max_speed, int last,
+/* 2. Ghost data leaves before the ranks agree, which hides its latency; when lists are rebuilt it
+   was not needed. */
+static void send_ghosts(struct dem_state *state)
+{
+    if (!state->stale)
+    {
+        dem_halo_send(&state->halo, &state->particles, DEM_HALO_CANDIDATES);
+        dem_timers_end_phase(state->timers, DEM_PHASE_REFRESH);
+    }
+}
+
+/* Agree now, or in a later step when no particle below time/maxSpeed can have used up a skin until
+   then; n: number of steps agreed on. */
+static int agree(struct dem_state *state, double max_speed, int last,
                  double max[DEM_UNAGREED_STEPS + 1], int *n)
 {
-    struct dem_unagreed *const u = &p->unagreed;
-    const double limit = p->limits.max_speed > 0.0 ? p->limits.max_speed : INFINITY;
+    struct dem_unagreed *const u = &state->unagreed;
+    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
 
-    u->moved[u->n++] = max_speed*p->dt;
-    u->bound += limit*p->dt;
+    u->moved[u->n++] = max_speed*state->dt;
+    u->bound += limit*state->dt;
     *n = 0;
-    if (!p->stale)
+    if (last || u->n == DEM_UNAGREED_STEPS || dem_neighbor_agreement_due(state, u->bound))
     {
-        dem_halo_send(&p->halo, &p->particles, DEM_HALO_CANDIDATES);
-        dem_timers_end_phase(p->timers, DEM_PHASE_REFRESH);
-    }
-    if (last || u->n == DEM_UNAGREED_STEPS || dem_neighbor_agreement_due(p, u->bound))
-    {
-        DEM_TRY(agree_now(p, max));
+        DEM_TRY(agree_now(state, max));
         *n = u->n;
         dem_unagreed_reset(u);
     }
     return DEM_OK;
 }
 
-static void count_work(struct dem_state *p)
+static void count_work(struct dem_state *state)
 {
-    p->timers->particle_steps += (int64_t)p->particles.n;
-    for (int c = 0; c < p->contacts.rows.classes; c++)
+    state->timers->particle_steps += (int64_t)state->particles.n;
+    for (int c = 0; c < state->contacts.rows.classes; c++)
     {
-        p->timers->row_steps += p->contacts.rows.segment[c].count;
+        state->timers->row_steps += state->contacts.rows.segment[c].count;
     }
-    dem_load_balance_count(&p->load_balance, p->particles.n, &p->contacts);
+    dem_load_balance_count(&state->load_balance, state->particles.n, &state->contacts);
 }
 
 struct due    /* what is due in this step, and what follows from it for the sweeps */
@@ -300,41 +174,43 @@ struct due    /* what is due in this step, and what follows from it for the swee
     int observed;           /* forces or positions are read after this step */
 };
 
-static struct due what_is_due(const struct dem_state *p, double kick)
+static struct due what_is_due(const struct dem_state *state, int last)
 {
-    const int last = kick < p->dt || p->stopped;
     struct due due = {0};
 
-    due.backup =
-        p->backup.every > 0 && p->steps >= p->backup.steps + p->backup.every && kick == p->dt;
-    due.fused = !due.backup && !p->energy_balance->open;
-    due.observed = last || dem_grid_averages_due(p->averages, p->time);
+    due.backup = state->backup.every > 0 &&
+                 state->steps >= state->backup.steps + state->backup.every && !last;
+    due.fused = !due.backup && !state->energy_balance->open;
+    due.observed = last || state->window.stopped ||
+    dem_grid_averages_due(state->averages, state->time);
     return due;
 }
 
-static struct dem_body_sweep options(const struct dem_state *p, const struct due *due, double kick)
+static struct dem_body_sweep sweep_options(const struct dem_state *state, const struct due *due,
+                                           double kick)
 {
-    const int flat = p->domain.flat[0] || p->domain.flat[1] || p->domain.flat[2];
-    struct dem_scalar_step scalars = scalar_step(p, p->dt);
+    const int flat = state->domain.flat[0] || state->domain.flat[1] || state->domain.flat[2];
+    struct dem_scalar_step scalars = scalar_step(state, state->dt);
 
-    scalars.heat = p->energy_balance->open
-                       ? &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
+    scalars.heat = state->energy_balance->open
+                       ? &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
                        : NULL;
     return (struct dem_body_sweep){
         .kick = kick,
-        .window = p->window,
-        .contacts = &p->contacts,
+        .window = state->window.length,
+        .contacts = &state->contacts,
         .sums_first = !due->fused,
         .unobserved = due->fused && !due->observed,
-        .round = flat ? NULL : p->domain.round,
-        .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
-        .time = p->time,
-        .energy_balance = p->energy_balance->open ? p->energy_balance : NULL,
+        .round = flat ? NULL : state->domain.round,
+        .applied = state->applied_forces.n > 0 ? &state->applied_forces : NULL,
+        .time = state->time,
+        .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
         .scalars = scalars};
 }
 
 /* A value of a scalar out of its range ends the run. */
-static int check_scalars(const struct dem_state *p, const struct dem_body_pass *pass, int status)
+static int check_scalars(const struct dem_state *state, const struct dem_body_pass *pass,
+                         int status)
 {
     char when[64];
 
@@ -342,184 +218,193 @@ static int check_scalars(const struct dem_state *p, const struct dem_body_pass *
     {
         return status;
     }
-    snprintf(when, sizeof when, " in step %lld", (long long)p->steps);
-    return dem_scalars_check(&p->particles, &p->interaction_table, when);
+    snprintf(when, sizeof when, " in step %lld", (long long)state->steps);
+    return dem_scalars_check(&state->particles, &state->interaction_table, when);
 }
 
 /* 5. Most particles are summed already, and in a fused step kicked; the pass knows which. */
-static int sum_and_kick(struct dem_state *p, const struct due *due, struct dem_body_pass *pass,
+static int sum_and_kick(struct dem_state *state, const struct due *due, struct dem_body_pass *pass,
                         int status)
 {
     dem_bodies_finish_sums(pass);
-    if (p->energy_balance->open)
+    if (state->energy_balance->open)
     {
-        dem_energy_balance_after_sweep(p, p->dt);
+        dem_energy_balance_after_sweep(state, state->dt);
     }
-    dem_wall_statistics_add_kick(p, pass->sweep->kick);
-    dem_sum_bond_energies(&p->particles, &p->contacts);
-    dem_timers_end_phase(p->timers, DEM_PHASE_SUMS);
+    dem_wall_statistics_add_kick(state, pass->sweep->kick);
+    dem_sum_bond_energies(&state->particles, &state->contacts);
+    dem_timers_end_phase(state->timers, DEM_PHASE_SUMS);
     if (due->backup)
     {
-        dem_timers_begin_rare_phase(p->timers, DEM_PHASE_SUMS);
-        status = make_backup(p, keep_error(&p->unagreed, status), 0.5*p->dt);
-        dem_timers_end_rare_phase(p->timers, DEM_PHASE_BACKUP);
+        const struct dem_body_sweep half = {
+            .kick = 0.5*state->dt, .window = state->window.length,
+            .scalars = scalar_step(state, state->dt)};
+
+        dem_timers_begin_rare_phase(state->timers, DEM_PHASE_SUMS);
+        status = dem_step_backup_ahead(state, dem_unagreed_keep_error(&state->unagreed, status),
+                                       &half);
+        dem_timers_end_rare_phase(state->timers, DEM_PHASE_BACKUP);
     }
-    dem_bodies_work_until(pass, p->particles.n);
-    dem_domain_constrain(&p->domain, &p->particles);
-    p->next_drift_done = pass->unobserved && pass->sweep->round;
-    p->fastest = dem_drift_max_speed(&pass->speeds);
-    dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
-    return check_scalars(p, pass, status);
+    dem_bodies_work_until(pass, state->particles.n);
+    dem_domain_constrain(&state->domain, &state->particles);
+    state->next_drift.done = pass->unobserved && pass->sweep->round;
+    state->next_drift.max_speed = dem_drift_max_speed(&pass->speeds);
+    dem_timers_end_phase(state->timers, DEM_PHASE_BODIES);
+    return check_scalars(state, pass, status);
 }
 
 /* 6. */
-static int sample_averages(struct dem_state *p, int status)
+static int sample_averages(struct dem_state *state, int status)
 {
-    if (dem_grid_averages_due(p->averages, p->time))
+    if (dem_grid_averages_due(state->averages, state->time))
     {
-        dem_timers_begin_rare_phase(p->timers, DEM_PHASE_BODIES);
-        status = dem_grid_averages_sample(p->averages, p, status);
-        dem_timers_end_rare_phase(p->timers, DEM_PHASE_AVERAGES);
+        dem_timers_begin_rare_phase(state->timers, DEM_PHASE_BODIES);
+        status = dem_grid_averages_sample(state->averages, state, status);
+        dem_timers_end_rare_phase(state->timers, DEM_PHASE_AVERAGES);
     }
     return status;
 }
 
 /* ---- the step -------------------------------------------------------------------------------- */
 
-/* The step from `since` to p->time, with a kick [s] of dt, or of dt/2 at the end of a window. An
-   error of this rank after the agreement, or in a step without one, is kept for the next one, so that
-   all ranks stop together. */
-static int step(struct dem_state *p, double since, double kick, int *status)
+/* The step from `since` [s] to state->time; the last one of a window ends with half a kick. An
+   error of this rank after the agreement, or in a step without one, is kept for the next one, so that all
+   ranks stop together. */
+static int step(struct dem_state *state, double since, int last, int *status)
 {
+    const double kick = last ? 0.5*state->dt : state->dt;
     struct dem_body_pass pass;
     double moved[DEM_UNAGREED_STEPS + 1];
     int agreed;
 
     /* 1. drift */
-    dem_timers_begin_step(p->timers);
-    const double max_speed = drift(p, kick);
+    dem_timers_begin_step(state->timers);
+    const double max_speed = drift(state, last);
 
-    *status = keep_error(&p->unagreed, *status);
-    *status = *status ? *status : check_displacements(p, max_speed, p->dt);
-    *status = keep_error(&p->unagreed, *status);
-    dem_timers_end_phase(p->timers, DEM_PHASE_DRIFT);
+    *status = check_drift(state, max_speed, *status);
 
-    /* 2. agree */
-    DEM_TRY(agree(p, max_speed, kick < p->dt, moved, &agreed));
+    /* 2. send ghost data, agree */
+    send_ghosts(state);
+    DEM_TRY(agree(state, max_speed, last, moved, &agreed));
 
     /* 3. refresh ghosts, prune or rebuild */
-    DEM_TRY(dem_neighbor_update(p, moved, agreed, kick < p->dt || p->stopped));
-    count_work(p);
+    DEM_TRY(dem_neighbor_update(state, moved, agreed, last || state->window.stopped));
+    count_work(state);
 
-    const struct due due = what_is_due(p, kick);
-    const struct dem_body_sweep sweep = options(p, &due, kick);
+    const struct due due = what_is_due(state, last);
+    const struct dem_body_sweep sweep = sweep_options(state, &due, kick);
 
     /* 4. contacts */
-    dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sweep);
-    *status = dem_sweep_contacts_and_bodies(p, p->dt, (const double[2]){since, p->time}, &pass);
-    dem_timers_end_phase(p->timers, DEM_PHASE_CONTACTS);
+    dem_bodies_begin_pass(&pass, &state->particles, &state->interaction_table.bodies, &sweep);
+    *status = dem_sweep_contacts_and_bodies(state, state->dt, (const double[2]){since, state->time},
+                                            &pass);
+    dem_timers_end_phase(state->timers, DEM_PHASE_CONTACTS);
 
     /* 5. sums, body and fluid forces, kick */
-    *status = sum_and_kick(p, &due, &pass, *status);
+    *status = sum_and_kick(state, &due, &pass, *status);
 
     /* 6. averages */
-    *status = sample_averages(p, *status);
+    *status = sample_averages(state, *status);
     return DEM_OK;
 }
 
 /* ---- the window ------------------------------------------------------------------------------ */
 
 /* The first half kick of a window, or the rest of it. */
-static void first_kick(struct dem_state *p, double kick)
+static void first_kick(struct dem_state *state, double kick)
 {
     if (kick > 0.0)
     {
-        dem_wall_statistics_add_kick(p, kick);
-        dem_sweep_bodies(&p->particles, &p->interaction_table.bodies,
+        dem_wall_statistics_add_kick(state, kick);
+        dem_sweep_bodies(&state->particles, &state->interaction_table.bodies,
                          &(struct dem_body_sweep){
                              .kick = kick,
-                             .window = p->window,
-                             .applied = p->applied_forces.n > 0 ? &p->applied_forces : NULL,
-                             .time = p->time,
-                             .energy_balance = p->energy_balance->open
-                                                   ? p->energy_balance
+                             .window = state->window.length,
+                             .applied = state->applied_forces.n > 0 ? &state->applied_forces : NULL,
+                             .time = state->time,
+                             .energy_balance = state->energy_balance->open
+                                                   ? state->energy_balance
                                                    : NULL,
-                             .scalars = scalar_step(p, 0.0)});
+                             .scalars = scalar_step(state, 0.0)});
     }
-    dem_domain_constrain(&p->domain, &p->particles);
-    dem_timers_end_phase(p->timers, DEM_PHASE_BODIES);
+    dem_domain_constrain(&state->domain, &state->particles);
+    dem_timers_end_phase(state->timers, DEM_PHASE_BODIES);
 }
 
 /* The clock is read once in 16 steps. */
-static void tell_progress(struct dem_state *p)
+static void tell_progress(struct dem_state *state)
 {
-    struct dem_progress *const q = &p->progress;
+    struct dem_progress *const q = &state->progress;
 
-    if (q->report && p->steps%16 == 0)
+    if (q->report && state->steps%16 == 0)
     {
         const double now = dem_clock_wall();
 
         if (now - q->last >= q->seconds)
         {
             q->last = now;
-            q->report(q->self, p->time, p->steps);
+            q->report(q->self, state->time, state->steps);
         }
     }
 }
 
 /* The remaining steps of the window, or those until a stop is requested. */
-static int make_steps(struct dem_state *p)
+static int make_steps(struct dem_state *state)
 {
     int status = DEM_OK;
 
-    p->stopped = p->half_step_ahead = p->next_drift_done = 0;
-    for (int64_t k = p->steps - p->steps_before + 1; k <= p->steps_ahead && !p->stopped; k++)
+    state->window.stopped = state->window.half_step_ahead = state->next_drift.done = 0;
+    for (int64_t k = state->steps - state->window.steps_before + 1;
+         k <= state->window.steps && !state->window.stopped;
+         k++)
     {
-        const double since = p->time;
+        const double since = state->time;
+        const int last = k == state->window.steps;
 
-        p->time = p->window_start + (double)k*p->dt;
-        DEM_TRY(step(p, since, k < p->steps_ahead ? p->dt : 0.5*p->dt, &status));
-        tell_progress(p);
+        state->time = state->window.start + (double)k*state->dt;
+        DEM_TRY(step(state, since, last, &status));
+        tell_progress(state);
     }
-    DEM_TRY(dem_agree(p, status));
-    p->half_step_ahead = p->steps - p->steps_before < p->steps_ahead;
-    if (!p->half_step_ahead)
+    DEM_TRY(dem_agree(state, status));
+    state->window.half_step_ahead = state->steps - state->window.steps_before < state->window.steps;
+    if (!state->window.half_step_ahead)
     {
-        dem_bodies_end_window(&p->particles, &p->domain, p->window);
-        dem_scalars_end_window(&p->particles, &p->interaction_table);
+        dem_bodies_end_window(&state->particles, &state->domain, state->window.length);
+        dem_scalars_end_window(&state->particles, &state->interaction_table);
     }
-    dem_timers_end_advance(p->timers);
+    dem_timers_end_advance(state->timers);
     return DEM_OK;
 }
 
-int dem_step_window(struct dem_state *p, double dt, int64_t steps)
+int dem_step_window(struct dem_state *state, double dt, int64_t steps)
 {
     /* s  an open window has left velocities ahead by this */
-    const double done = p->half_step_ahead ? 0.5*p->dt : 0.0;
+    const double done = state->window.half_step_ahead ? 0.5*state->dt : 0.0;
 
-    p->window = dt*(double)steps;
-    p->dt = dt;
-    p->window_start = p->time;
-    p->steps_before = p->steps;
-    p->steps_ahead = steps;
-    dem_timers_begin_advance(p->timers, p->particles.n, steps);
-    dem_walls_move(&p->walls, p->time, 0.0);
-    dem_walls_begin_advance(&p->walls, p->window);
-    dem_bodies_begin_window(&p->particles, &p->interaction_table.bodies);
-    dem_scalars_begin_window(&p->particles, &p->interaction_table);
-    if ((p->particles.ghost_window.n > 0 || dem_column(&p->particles, DEM_COLUMN_ADDED_MASS)) &&
-        !p->stale)
+    state->window.length = dt*(double)steps;
+    state->dt = dt;
+    state->window.start = state->time;
+    state->window.steps_before = state->steps;
+    state->window.steps = steps;
+    dem_timers_begin_advance(state->timers, state->particles.n, steps);
+    dem_walls_move(&state->walls, state->time, 0.0);
+    dem_walls_begin_advance(&state->walls, state->window.length);
+    dem_bodies_begin_window(&state->particles, &state->interaction_table.bodies);
+    dem_scalars_begin_window(&state->particles, &state->interaction_table);
+    if ((state->particles.ghost_window.n > 0 ||
+         dem_column(&state->particles, DEM_COLUMN_ADDED_MASS)) &&
+        !state->stale)
     {
-        DEM_TRY(dem_halo_refresh_window(&p->halo, &p->particles));
+        DEM_TRY(dem_halo_refresh_window(&state->halo, &state->particles));
     }
-    dem_flows_complete_departures(p->flows, 0.5*dt - done);
-    first_kick(p, 0.5*dt - done);
-    return make_steps(p);
+    dem_flows_complete_departures(state->flows, 0.5*dt - done);
+    first_kick(state, 0.5*dt - done);
+    return make_steps(state);
 }
 
-int dem_step_continue(struct dem_state *p)
+int dem_step_continue(struct dem_state *state)
 {
-    dem_timers_begin_advance(p->timers, p->particles.n,
-                             p->steps_ahead - (p->steps - p->steps_before));
-    return make_steps(p);
+    dem_timers_begin_advance(state->timers, state->particles.n,
+                             state->window.steps - (state->steps - state->window.steps_before));
+    return make_steps(state);
 }

@@ -16,9 +16,4 @@
 int dem_step_window(struct dem_state *, double dt, int64_t steps);
 int dem_step_continue(struct dem_state *);
 
-/* Collective. Copy the present state into the backup, unless it holds a number that is not a
-   number; then the previous backup stays. In an open window, in which velocities are ahead, the
-   next step makes the backup if there is none. */
-int dem_step_backup(struct dem_state *);
-
 #endif

@@ -103,19 +103,19 @@ static void sum_forces_and_moments(const struct dem_contacts *c,
     add_moments(c, part);
 }
 
-void dem_sum_slice(const struct dem_particles *p, const struct dem_contacts *c,
+void dem_sum_slice(const struct dem_particles *particles, const struct dem_contacts *c,
                    const struct dem_sum_slice *part)
 {
     if (part->first < part->end)
     {
-        (c->forces.moment ? sum_forces_and_moments : sum_forces)(c, p->record, part);
+        (c->forces.moment ? sum_forces_and_moments : sum_forces)(c, particles->record, part);
     }
 }
 
-void dem_sum_store(struct dem_particles *p, const struct dem_sum_slice *part)
+void dem_sum_store(struct dem_particles *particles, const struct dem_sum_slice *part)
 {
-    double *const force = dem_column(p, DEM_COLUMN_FORCE) + 3*part->first,
-                  *const torque = dem_column(p, DEM_COLUMN_TORQUE) + 3*part->first;
+    double *const force = dem_column(particles, DEM_COLUMN_FORCE) + 3*part->first,
+                  *const torque = dem_column(particles, DEM_COLUMN_TORQUE) + 3*part->first;
 
     for (size_t k = 0; k < part->end - part->first; k++)
     {
@@ -125,12 +125,12 @@ void dem_sum_store(struct dem_particles *p, const struct dem_sum_slice *part)
 }
 
 /* Each partner of a pair gets half of its energies; at a wall the particle gets all. */
-void dem_sum_bond_energies(struct dem_particles *p, const struct dem_contacts *c)
+void dem_sum_bond_energies(struct dem_particles *particles, const struct dem_contacts *c)
 {
-    double *const lost = dem_column(p, DEM_COLUMN_LOST_ENERGY),
-                  *const broken = dem_column(p, DEM_COLUMN_BROKEN_BONDS);
+    double *const lost = dem_column(particles, DEM_COLUMN_LOST_ENERGY),
+                  *const broken = dem_column(particles, DEM_COLUMN_BROKEN_BONDS);
 
-    for (size_t i = 0; c->forces.has_energy && i < p->n; i++)
+    for (size_t i = 0; c->forces.has_energy && i < particles->n; i++)
     {
         for (uint32_t e = c->rows.start[i]; e < c->rows.start[i + 1]; e++)
         {

@@ -37,108 +37,109 @@
 /* ---- the kick -------------------------------------------------------------------------------- */
 
 DEM_KERNEL
-static void kick_with_drag(struct dem_body_workspace *restrict t, double h)
+static void kick_with_drag(struct dem_body_workspace *restrict work, double h)
 {
-    struct dem_body_batch *const b = &t->batch;
+    struct dem_body_batch *const batch = &work->batch;
 
-    for (int c = 0; c < b->n; c++)
+    for (int c = 0; c < batch->n; c++)
     {
-        const double z = b->b[c]*h*t->inverse_mass[c], phi = dem_phi(z);
-        const double step = phi*h*t->inverse_mass[c];
-        const double dx = b->bux[c] - b->b[c]*b->vx[c], dy = b->buy[c] - b->b[c]*b->vy[c],
-                     dz = b->buz[c] - b->b[c]*b->vz[c];
+        const double z = batch->drag[c]*h*work->inverse_mass[c], phi = dem_phi(z);
+        const double step = phi*h*work->inverse_mass[c];
+        const double dx = batch->drag_ux[c] - batch->drag[c]*batch->vx[c];
+        const double dy = batch->drag_uy[c] - batch->drag[c]*batch->vy[c];
+        const double dz = batch->drag_uz[c] - batch->drag[c]*batch->vz[c];
 
-        b->vx[c] += step*(b->fx[c] + dx);
-        b->vy[c] += step*(b->fy[c] + dy);
-        b->vz[c] += step*(b->fz[c] + dz);
-        t->jx[c] = h*(phi*dx - (1.0 - phi)*b->fx[c]);
-        t->jy[c] = h*(phi*dy - (1.0 - phi)*b->fy[c]);
-        t->jz[c] = h*(phi*dz - (1.0 - phi)*b->fz[c]);
-        t->decay_factor[c] = 1.0 - z*phi;
+        batch->vx[c] += step*(batch->fx[c] + dx);
+        batch->vy[c] += step*(batch->fy[c] + dy);
+        batch->vz[c] += step*(batch->fz[c] + dz);
+        work->drag_impulse_x[c] = h*(phi*dx - (1.0 - phi)*batch->fx[c]);
+        work->drag_impulse_y[c] = h*(phi*dy - (1.0 - phi)*batch->fy[c]);
+        work->drag_impulse_z[c] = h*(phi*dz - (1.0 - phi)*batch->fz[c]);
+        work->decay_factor[c] = 1.0 - z*phi;
     }
 }
 
 DEM_KERNEL
-static void kick_without_drag(struct dem_body_workspace *restrict t, double h)
+static void kick_without_drag(struct dem_body_workspace *restrict work, double h)
 {
-    struct dem_body_batch *const b = &t->batch;
+    struct dem_body_batch *const batch = &work->batch;
 
-    for (int c = 0; c < b->n; c++)
+    for (int c = 0; c < batch->n; c++)
     {
-        const double step = h*t->inverse_mass[c];
+        const double step = h*work->inverse_mass[c];
 
-        b->vx[c] += step*b->fx[c];
-        b->vy[c] += step*b->fy[c];
-        b->vz[c] += step*b->fz[c];
+        batch->vx[c] += step*batch->fx[c];
+        batch->vy[c] += step*batch->fy[c];
+        batch->vz[c] += step*batch->fz[c];
     }
 }
 
 /* The kick with drag, and the impulses that are passed to the fluid. */
-static void kick_in_fluid(struct dem_body_workspace *t, struct dem_particles *p, size_t first,
-                          int rows, double h)
+static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles *particles,
+                          size_t first, int rows, double h)
 {
-    const int reacts = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) != NULL;
+    const int reacts = dem_column(particles, DEM_COLUMN_OTHER_IMPULSE) != NULL;
 
     if (reacts)
     {
-        dem_body_batch_add_reacting_forces(t);
+        dem_body_batch_add_reacting_forces(work);
     }
-    dem_body_batch_apply_slip_factor(t, p, first, rows);
+    dem_body_batch_apply_slip_factor(work, particles, first, rows);
     if (h < 0.0)
     {
-        dem_body_batch_limit_backward_drag(t, p, first, rows, h);
+        dem_body_batch_limit_backward_drag(work, particles, first, rows, h);
     }
-    kick_with_drag(t, h);
-    dem_body_batch_sum_drag(t, p, first, rows, h);
+    kick_with_drag(work, h);
+    dem_body_batch_sum_drag(work, particles, first, rows, h);
     if (reacts)
     {
-        dem_body_batch_sum_reactions(t, p, first, rows, h);
+        dem_body_batch_sum_reactions(work, particles, first, rows, h);
     }
-    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE))
     {
-        dem_body_batch_kick_spins(t, p, first, rows, h);
+        dem_body_batch_kick_spins(work, particles, first, rows, h);
     }
 }
 
 /* An effect in a scene with particle scalars; not inlined, so that other scenes have not an
    instruction of it. */
 __attribute__((noinline)) static void apply_with_scalars(const struct dem_effect_entry *e,
-                                                         struct dem_body_batch *b,
+                                                         struct dem_body_batch *batch,
                                                          const struct dem_effect_list *bodies,
                                                          struct dem_body_scalars *scalars)
 {
-    dem_body_scalars_select(scalars, b, e);
+    dem_body_scalars_select(scalars, batch, e);
     if (e->grains)
     {
-        dem_parcels_apply(e, b, scalars->value[bodies->parcel_scalar]);
+        dem_parcels_apply(e, batch, scalars->value[bodies->parcel_scalar]);
     }
     else
     {
-        e->effect->apply_to_bodies(e->settings, b);
+        e->effect->apply_to_bodies(e->settings, batch);
     }
 }
 
 /* All body effects on a batch, with the energy balance if there is one. */
-static void apply_effects(struct dem_body_workspace *t, const struct dem_effect_list *bodies,
+static void apply_effects(struct dem_body_workspace *work, const struct dem_effect_list *bodies,
                           struct dem_energy_balance *energy, struct dem_body_scalars *scalars)
 {
     for (int k = 0; k < bodies->entries; k++)
     {
         if (energy)
         {
-            dem_energy_balance_before_body_effect(energy, &t->batch);
+            dem_energy_balance_before_body_effect(energy, &work->batch);
         }
         if (scalars)
         {
-            apply_with_scalars(&bodies->entry[k], &t->batch, bodies, scalars);
+            apply_with_scalars(&bodies->entry[k], &work->batch, bodies, scalars);
         }
         else
         {
-            bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &t->batch);
+            bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &work->batch);
         }
         if (energy)
         {
-            dem_energy_balance_after_body_effect(energy, &t->batch, k);
+            dem_energy_balance_after_body_effect(energy, &work->batch, k);
         }
     }
 }
@@ -153,8 +154,8 @@ struct applied    /* on the particles of a batch */
 };
 
 /* Forces join the forces of body effects, before the kick. */
-static void add_applied(struct applied *a, struct dem_body_batch *b, const struct dem_body_sweep *s,
-                        const struct dem_particle *record, int rows)
+static void add_applied(struct applied *a, struct dem_body_batch *batch,
+                        const struct dem_body_sweep *s, const struct dem_particle *record, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
@@ -162,9 +163,9 @@ static void add_applied(struct applied *a, struct dem_body_batch *b, const struc
                                           a->torque[c]);
         memcpy(a->v[c], record[c].v, sizeof a->v[c]);
         memcpy(a->w[c], record[c].w, sizeof a->w[c]);
-        b->fx[c] += a->force[c][0];
-        b->fy[c] += a->force[c][1];
-        b->fz[c] += a->force[c][2];
+        batch->fx[c] += a->force[c][0];
+        batch->fy[c] += a->force[c][1];
+        batch->fz[c] += a->force[c][2];
     }
 }
 
@@ -213,66 +214,69 @@ static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int row
 __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, size_t first,
                                                   int rows)
 {
-    struct dem_particles *const p = pass->particles;
-    struct dem_body_workspace *const t = &pass->workspace;
+    struct dem_particles *const particles = pass->particles;
+    struct dem_body_workspace *const work = &pass->workspace;
     const struct dem_body_sweep *const s = pass->sweep;
-    const int fluid = dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
+    const int fluid = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) != NULL;
     struct applied applied;
 
     forces_of_contacts(pass, first, rows);
-    dem_body_batch_gather(t, p, first, rows, (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
+    dem_body_batch_gather(work, particles, first, rows,
+                          (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
     if (fluid)
     {
-        dem_body_batch_gather_fluid(t, p, first, rows, s->window > 0.0 ? 1.0/s->window : 0.0);
+        dem_body_batch_gather_fluid(work, particles, first, rows,
+                                    s->window > 0.0 ? 1.0/s->window : 0.0);
     }
-    apply_effects(t, pass->bodies, s->energy_balance, pass->scalars);
+    apply_effects(work, pass->bodies, s->energy_balance, pass->scalars);
     if (s->applied)
     {
-        add_applied(&applied, &t->batch, s, p->record + first, rows);
+        add_applied(&applied, &work->batch, s, particles->record + first, rows);
     }
     if (fluid && pass->bodies->whole_drag)
     {
-        dem_body_batch_divide_by_void_fraction(t);
+        dem_body_batch_divide_by_void_fraction(work);
     }
     if (fluid)
     {
-        kick_in_fluid(t, p, first, rows, s->kick);
+        kick_in_fluid(work, particles, first, rows, s->kick);
     }
     else
     {
-        kick_without_drag(t, s->kick);
+        kick_without_drag(work, s->kick);
     }
     if (s->energy_balance)
     {
         const struct dem_energy_balance_kick k = {
             .bodies = pass->bodies,
-            .batch = &t->batch,
-            .j = {t->jx, t->jy, t->jz},
+            .batch = &work->batch,
+            .j = {work->drag_impulse_x, work->drag_impulse_y, work->drag_impulse_z},
             .first = first,
-            .spin_impulse = {t->spin_impulse[0],
-                             t->spin_impulse[1],
-                             t->spin_impulse[2]},
+            .spin_impulse = {work->spin_impulse[0],
+                             work->spin_impulse[1],
+                             work->spin_impulse[2]},
             .rows = rows,
             .h = s->kick,
             .window = s->window};
 
-        dem_energy_balance_after_kick(s->energy_balance, p, &k);
+        dem_energy_balance_after_kick(s->energy_balance, particles, &k);
     }
     if (pass->unobserved && s->round)
     {
-        dem_body_batch_scatter_and_drift(t, p, first, rows, s->kick, s->round, &pass->speeds);
+        dem_body_batch_scatter_and_drift(work, particles, first, rows, s->kick, s->round,
+                                         &pass->speeds);
     }
     else
     {
-        dem_body_batch_scatter(t, p, first, rows, s->kick);
+        dem_body_batch_scatter(work, particles, first, rows, s->kick);
     }
-    if (dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE))
+    if (dem_column(particles, DEM_COLUMN_ANGULAR_IMPULSE))
     {
-        dem_body_batch_scatter_spins(t, p, first, rows);
+        dem_body_batch_scatter_spins(work, particles, first, rows);
     }
     if (s->applied)
     {
-        finish_applied(&applied, s, p->record + first, rows);
+        finish_applied(&applied, s, particles->record + first, rows);
     }
 }
 
@@ -294,13 +298,13 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
     }
 }
 
-void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *p,
+void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *particles,
                       const struct dem_effect_list *bodies, const struct dem_body_sweep *s)
 {
     pass->work = !s->contacts    ? DEM_BODIES_KICK
                  : s->sums_first ? DEM_BODIES_SUM
                                  : DEM_BODIES_SUM_AND_KICK;
-    pass->particles = p;
+    pass->particles = particles;
     pass->bodies = bodies;
     pass->sweep = s;
     pass->next = 0;
@@ -335,11 +339,11 @@ void dem_bodies_finish_sums(struct dem_body_pass *pass)
     }
 }
 
-void dem_sweep_bodies(struct dem_particles *p, const struct dem_effect_list *bodies,
+void dem_sweep_bodies(struct dem_particles *particles, const struct dem_effect_list *bodies,
                       const struct dem_body_sweep *s)
 {
     struct dem_body_pass pass;
 
-    dem_bodies_begin_pass(&pass, p, bodies, s);
-    dem_bodies_work_until(&pass, p->n);
+    dem_bodies_begin_pass(&pass, particles, bodies, s);
+    dem_bodies_work_until(&pass, particles->n);
 }

@@ -18,24 +18,27 @@
 
 struct dem_body_sweep    /* options of one sweep over all particles */
 {
-    double kick;                                /* s  velocities and spins are
-                                                   kicked over this time */
-    double window;                              /* s  the impulse carried over from the last
-                                                   exchange is spread over this; 0: none */
-    const struct dem_contacts *contacts;        /* contact forces to be summed first, while
-                                                   they are in cache; NULL: summed already */
-    int sums_first;                             /* 1: a pass sums all particles before it
-                                                   kicks (dem_bodies_finish_sums) */
-    int unobserved;                                  /* 1: nothing reads forces or positions before
-                                                   the next step: forces are not stored, */
-    const double *round;                        /* and kicked particles drift at once,
-                                                   over the kick, with the rounding of
-                                                   dem_domain.round; NULL: something
-                                                   has to be done before the drift */
-    const struct dem_applied_forces *applied;  /* NULL: none; */
-    double time;                               /* s  at which they are taken */
-    struct dem_energy_balance *energy_balance;  /* energy balance that sums the work; NULL: none */
-    struct dem_scalar_step scalars;             /* particle scalars, integrated before the kick */
+    /* s  velocities and spins are kicked over this time */
+    double kick;
+    /* s  the impulse carried over from the last exchange is spread over this; 0: none */
+    double window;
+    /* contact forces to be summed first, while they are in cache; NULL: summed already */
+    const struct dem_contacts *contacts;
+    /* 1: a pass sums all particles before it kicks (dem_bodies_finish_sums) */
+    int sums_first;
+    /* 1: nothing reads forces or positions before the next step: forces are not stored */
+    int unobserved;
+    /* if unobserved, kicked particles drift at once, over the kick, with this rounding
+       (dem_domain.round); NULL: something has to be done before the drift */
+    const double *round;
+    /* NULL: none */
+    const struct dem_applied_forces *applied;
+    /* s  time of the applied forces */
+    double time;
+    /* energy balance that sums the work; NULL: none */
+    struct dem_energy_balance *energy_balance;
+    /* particle scalars, integrated before the kick */
+    struct dem_scalar_step scalars;
 };
 
 /* Evaluate the body effects at the present state and kick all particles. Contact force and torque
@@ -54,14 +57,19 @@ struct dem_body_pass    /* the same sweep in parts, as far as contact forces are
 {
     enum dem_bodies_work work;
     struct dem_particles *particles;
-    const struct dem_effect_list *bodies;  /* effect list of the body effects */
+    /* effect list of the body effects */
+    const struct dem_effect_list *bodies;
     const struct dem_body_sweep *sweep;
-    size_t next;                           /* first particle that has not been worked on */
-    int unobserved;                             /* as in the options, or 0 after
-                                              an event that reads speeds */
-    struct dem_drift_speeds speeds;        /* speeds of the particles that have drifted */
-    struct dem_body_scalars *scalars;      /* of the present batch; NULL: none */
-    int bad_scalars;                       /* values of scalars out of their range */
+    /* first particle that has not been worked on */
+    size_t next;
+    /* as in the options, or 0 after an event that reads speeds */
+    int unobserved;
+    /* speeds of the particles that have drifted */
+    struct dem_drift_speeds speeds;
+    /* of the present batch; NULL: none */
+    struct dem_body_scalars *scalars;
+    /* values of scalars out of their range */
+    int bad_scalars;
     struct dem_body_workspace workspace;
 };
 

@@ -1,12 +1,13 @@
 /*
  * sweep_contacts.c -- for each batch of contact rows: gather the partners, apply the effects of the
- * class in the order of their stages, store one contact force a row.
+ * class (contact_effects.c), store one contact force a row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/sweep_contacts.h"
 #include "core/math.h"
 #include "core/memory.h"
+#include "step/contact_effects.h"
 #include "step/contact_scalars.h"
 #include "records/lost_cause.h"
 #include "step/fill_batch.h"
@@ -16,19 +17,7 @@
 #include "records/energy_balance.h"
 #include "records/lost_particles.h"
 #include "records/bonds.h"
-#include <stddef.h>
 #include <string.h>
-
-/* ---- history --------------------------------------------------------------------------------- */
-
-DEM_KERNEL
-static void clear_apart(const struct dem_contact_batch *restrict b, double *restrict history)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        history[c] = dem_select(b->touching[c] > 0.0, history[c], 0.0);
-    }
-}
 
 /* ---- crossing a wall ------------------------------------------------------------------------- */
 
@@ -57,205 +46,26 @@ static int has_two_sides(const struct dem_facet *r)
     return r->shape == DEM_SHAPE_TRIANGLES || (r->shape != DEM_SHAPE_PLANE && r->outside);
 }
 
-static int list_crossings(struct dem_state *p, const struct dem_contact_workspace *t, uint32_t row,
-                          int rows)
+static int list_crossings(struct dem_state *state, const struct dem_contact_workspace *t,
+                          uint32_t row, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
-        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row + (uint32_t)c);
+        const struct dem_pair *const q = dem_contacts_pair(&state->contacts, row + (uint32_t)c);
 
         if (crossed(&t->batch, c) > 0.0
-            && has_two_sides(&p->walls.facet[dem_pairs_facet(&p->pairs, q->j)]))
+            && has_two_sides(&state->walls.facet[dem_pairs_facet(&state->pairs, q->j)]))
         {
-            DEM_TRY(DEM_GROW(p->lost_particles->crossed, p->lost_particles->crossed_capacity,
-                             p->lost_particles->crossings + 1));
-            p->lost_particles->crossed[p->lost_particles->crossings++] = row + (uint32_t)c;
+            DEM_TRY(DEM_GROW(state->lost_particles->crossed,
+                             state->lost_particles->crossed_capacity,
+                             state->lost_particles->crossings + 1));
+            state->lost_particles->crossed[state->lost_particles->crossings++] = row + (uint32_t)c;
         }
     }
     return DEM_OK;
 }
 
 /* ---- the sweep ------------------------------------------------------------------------------- */
-
-/* The history columns of an effect at the rows of the batch. Returns their number. */
-static int find_history(const struct dem_contacts *c, const struct dem_effect_entry *entry,
-                        uint32_t row, double **history)
-{
-    const int columns = dem_effect_history_columns(entry->effect);
-
-    for (int m = 0; m < columns; m++)
-    {
-        history[m] = c->history.column[entry->first_column + m] + row;
-    }
-    return columns;
-}
-
-/* The history columns and the particle scalars of an effect. Returns the number of columns. */
-static int begin_effect(struct dem_contact_workspace *t, const struct dem_contacts *c,
-                        const struct dem_effect_entry *entry, uint32_t row, double **history)
-{
-    if (t->scalars)
-    {
-        dem_contact_scalars_select(t, entry);
-    }
-    return find_history(c, entry, row, history);
-}
-
-/* Effects that replace the contact of the surfaces, for example bonds: they clear the touching mask
-   before the contact laws act. */
-static void replace_contacts(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                          const struct dem_contacts *c, uint32_t row)
-{
-    double *history[DEM_HISTORY_COLUMNS];
-
-    for (int k = 0; k < effects->entries; k++)
-    {
-        if (effects->entry[k].effect->replace_contact)
-        {
-            begin_effect(t, c, &effects->entry[k], row, history);
-            effects->entry[k].effect->replace_contact(effects->entry[k].settings, &t->batch,
-                                                      history);
-        }
-    }
-}
-
-/* Adhesive forces of films, which friction needs, just before it acts. */
-static void apply_adhesion(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                           const struct dem_contacts *c, uint32_t row)
-{
-    double *history[DEM_HISTORY_COLUMNS];
-
-    for (int k = 0; k < effects->entries; k++)
-    {
-        if (effects->entry[k].effect->set_adhesion)
-        {
-            begin_effect(t, c, &effects->entry[k], row, history);
-            effects->entry[k].effect->set_adhesion(effects->entry[k].settings, &t->batch, history);
-        }
-    }
-}
-
-/* 1 when this entry is the first after the stages NORMAL and DAMP, in an effect list that acts past
-   touching. */
-static int is_first_after_damping(const struct dem_effect_list *effects, int k)
-{
-    return effects->past_touching && effects->entry[k].effect->stage >= DEM_STAGE_TANGENT
-           && (k == 0 || effects->entry[k - 1].effect->stage < DEM_STAGE_TANGENT);
-}
-
-static void apply_effect(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                         int k, double **history, int columns)
-{
-    const struct dem_effect *const effect = effects->entry[k].effect;
-    /* An effect that replaces contacts clears the touching mask but not the overlap, so beside it the
-       own clearing of an effect (`clears_history`) is not enough. */
-    const int cleared_already =
-        effect->stage >= DEM_STAGE_BOND || (effect->clears_history && !effects->past_touching);
-
-    effect->apply(effects->entry[k].settings, &t->batch, history);
-    for (int m = 0; m < columns && !cleared_already; m++)
-    {
-        clear_apart(&t->batch, history[m]);
-    }
-}
-
-static void clear_results(struct dem_contact_batch *b)
-{
-    const size_t first = offsetof(struct dem_contact_batch, kn),
-                 end = offsetof(struct dem_contact_batch, stored);
-
-    memset((char *)b + first, 0, end - first);
-}
-
-/* The first effects of the list, in one loop. Returns their number. */
-static int apply_fused(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                       const struct dem_contacts *c, uint32_t row)
-{
-    const void *settings[DEM_FUSED_LAWS];
-    double *history[DEM_HISTORY_COLUMNS];
-    int columns = 0, k = 0;
-
-    for (int m = 0; m < DEM_FUSED_LAWS; m++)
-    {
-        settings[m] = effects->entry[0].settings;
-        if (effects->kernel->law[m] != &dem_none)
-        {
-            settings[m] = effects->entry[k].settings;
-            columns += find_history(c, &effects->entry[k], row, history + columns);
-            k++;
-        }
-    }
-    effects->kernel->apply(settings, &t->batch, history);
-    return k;
-}
-
-static void apply_effects(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                          const struct dem_contacts *c, uint32_t row)
-{
-    double *history[DEM_HISTORY_COLUMNS];
-    int first = 0;
-
-    if (effects->kernel)
-    {
-        first = apply_fused(t, effects, c, row);
-    }
-    else
-    {
-        clear_results(&t->batch);
-    }
-    for (int k = first; k < effects->entries; k++)
-    {
-        if (is_first_after_damping(effects, k))
-        {
-            apply_adhesion(t, effects, c, row);
-        }
-        const int columns = begin_effect(t, c, &effects->entry[k], row, history);
-
-        apply_effect(t, effects, k, history, columns);
-    }
-}
-
-/* What the last effect dissipated, for those that make heat of it. */
-static void add_dissipated(struct dem_contact_batch *b, const double *lost)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        b->dissipated[c] += lost[c];
-    }
-}
-
-/* The same, with the energy balance. */
-static void apply_effects_with_energy(struct dem_state *p, struct dem_contact_workspace *t,
-                                      const struct dem_effect_list *effects, uint32_t row, int rows)
-{
-    double *history[DEM_HISTORY_COLUMNS];
-    struct dem_energy_balance_rows r = {.list = effects,
-                                        .memory = history,
-                                        .row = row,
-                                        .rows = rows};
-    const int heats = (effects->needs & DEM_NEEDS_DISSIPATION) != 0;
-
-    clear_results(&t->batch);
-    memset(t->batch.dissipated, 0, sizeof t->batch.dissipated);
-    dem_energy_balance_begin_batch(p, t, &r);
-    for (int k = 0; k < effects->entries; k++)
-    {
-        if (is_first_after_damping(effects, k))
-        {
-            apply_adhesion(t, effects, &p->contacts, row);
-        }
-        r.entry = &effects->entry[k];
-        const int columns = begin_effect(t, &p->contacts, r.entry, row, history);
-
-        dem_energy_balance_before_effect(p, t, &r);
-        apply_effect(t, effects, k, history, columns);
-        dem_energy_balance_after_effect(p, t, &r);
-        if (heats)
-        {
-            add_dissipated(&t->batch, p->energy_balance->scratch->energy.lost);
-        }
-    }
-}
 
 static void store_energies(struct dem_contacts *c, const struct dem_contact_batch *b, uint32_t row,
                            int rows)
@@ -290,64 +100,64 @@ struct rows    /* of a batch: the first, their number, where their forces are st
 };
 
 /* A batch: gather, apply the effects, store the forces. */
-static int sweep_batch(struct dem_state *p, struct dem_contact_workspace *t,
+static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
                        const struct dem_effect_list *effects, const struct rows *at)
 {
     const uint32_t row = at->row;
     const int rows = at->rows;
 
-    dem_contact_batch_fill(t, p, effects, row, rows);
+    dem_contact_batch_fill(t, state, effects, row, rows);
     if (t->scalars)
     {
-        dem_contact_scalars_gather(t->scalars, p, &t->batch, row, rows);
+        dem_contact_scalars_gather(t->scalars, state, &t->batch, row, rows);
     }
     if (effects->past_touching)
     {
-        replace_contacts(t, effects, &p->contacts, row);
+        dem_contact_effects_replace_contacts(t, effects, &state->contacts, row);
     }
-    if (p->energy_balance->open)
+    if (state->energy_balance->open)
     {
-        apply_effects_with_energy(p, t, effects, row, rows);
+        dem_contact_effects_apply_with_energy(state, t, effects, row, rows);
     }
     else
     {
-        apply_effects(t, effects, &p->contacts, row);
+        dem_contact_effects_apply(t, effects, &state->contacts, row);
     }
     if (effects->past_touching && count_broken(&t->batch) > 0.0)
     {
-        DEM_TRY(dem_bonds_record(p, &t->batch, row, rows));
+        DEM_TRY(dem_bonds_record(state, &t->batch, row, rows));
     }
     if (dem_store_forces(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching,
-                         p->limits.overlap, at->to))
+                         state->limits.overlap, at->to))
     {
-        dem_limits_check_record(p, t, row, rows);
+        dem_limits_check_record(state, t, row, rows);
     }
     if (effects->past_touching)
     {
-        store_energies(&p->contacts, &t->batch, row, rows);
+        store_energies(&state->contacts, &t->batch, row, rows);
     }
     return effects->pair.with_wall && count_crossings(&t->batch) > 0.0
-               ? list_crossings(p, t, row, rows)
+               ? list_crossings(state, t, row, rows)
                : DEM_OK;
 }
 
 /* The same for a class with effects that read or change particle scalars. */
-static int sweep_batch_with_scalars(struct dem_state *p, struct dem_contact_workspace *t,
+static int sweep_batch_with_scalars(struct dem_state *state, struct dem_contact_workspace *t,
                                     const struct dem_effect_list *effects, const struct rows *at)
 {
     struct dem_contact_scalars scalars;
 
     t->scalars = &scalars;
-    const int status = sweep_batch(p, t, effects, at);
+    const int status = sweep_batch(state, t, effects, at);
 
     t->scalars = NULL;
-    dem_contact_scalars_store(&scalars, &p->contacts, at->row, at->rows);
-    if (p->energy_balance->open && p->energy_balance->heat >= 0)
+    dem_contact_scalars_store(&scalars, &state->contacts, at->row, at->rows);
+    if (state->energy_balance->open && state->energy_balance->heat >= 0)
     {
         dem_energy_balance_contact_heat(
-            p, &t->batch,
+            state, &t->batch,
             &(struct dem_energy_balance_rows){.list = effects, .row = at->row, .rows = at->rows},
-            scalars.rate[0][p->energy_balance->heat]);
+            scalars.rate[0][state->energy_balance->heat]);
     }
     return status;
 }
@@ -364,12 +174,12 @@ static void finish_ready(struct dem_body_pass *bodies, const struct dem_contacts
 
 /* All batches of a pair class; with `bodies`, particles are worked on as soon as they can be.
    *deferred: deferred rows copied so far, over all classes. */
-static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int class,
+static int sweep_class(struct dem_state *state, struct dem_contact_workspace *t, int class,
                        size_t *deferred, struct dem_body_pass *bodies)
 {
-    const struct dem_effect_list *const effects = &p->interaction_table.list[class];
-    const struct dem_segment *const seg = &p->contacts.rows.segment[class];
-    struct dem_contact_forces *const forces = &p->contacts.forces;
+    const struct dem_effect_list *const effects = &state->interaction_table.list[class];
+    const struct dem_segment *const seg = &state->contacts.rows.segment[class];
+    struct dem_contact_forces *const forces = &state->contacts.forces;
     const int with_wall = effects->pair.with_wall, observed = !bodies || !bodies->unobserved;
 
     for (uint32_t done = 0; done < seg->count; done += DEM_BATCH_ROWS)
@@ -384,15 +194,15 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
 
         if (effects->scalars)
         {
-            DEM_TRY(sweep_batch_with_scalars(p, t, effects, &at));
+            DEM_TRY(sweep_batch_with_scalars(state, t, effects, &at));
         }
         else
         {
-            DEM_TRY(sweep_batch(p, t, effects, &at));
+            DEM_TRY(sweep_batch(state, t, effects, &at));
         }
         if (observed)
         {
-            dem_store_observed(&p->contacts, &at.to, at.row, rows, p->particles.n);
+            dem_store_observed(&state->contacts, &at.to, at.row, rows, state->particles.n);
         }
         if (!with_wall)
         {
@@ -400,58 +210,59 @@ static int sweep_class(struct dem_state *p, struct dem_contact_workspace *t, int
         }
         if (bodies && !with_wall)
         {
-            finish_ready(bodies, &p->contacts, seg->first + done + (uint32_t)rows);
+            finish_ready(bodies, &state->contacts, seg->first + done + (uint32_t)rows);
         }
     }
     return DEM_OK;
 }
 
-int dem_sweep_contacts_and_bodies(struct dem_state *p, double dt, const double time[2],
+int dem_sweep_contacts_and_bodies(struct dem_state *state, double dt, const double time[2],
                                   struct dem_body_pass *bodies)
 {
     struct dem_contact_workspace t;
     size_t deferred = 0;
 
     memset(&t, 0, sizeof t);
-    p->contacts.forces.touching = 0;
+    state->contacts.forces.touching = 0;
     t.batch.dt = dt;
-    t.batch.max_dt = p->max_dt;
+    t.batch.max_dt = state->max_dt;
     t.batch.previous_time = time[0];
     t.batch.time = time[1];
-    dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
-    dem_wall_springs_redistribute(p);
-    if (p->energy_balance->open)
+    dem_wall_touches_update(&state->touches, &state->pairs.wall_search, &state->walls,
+                            &state->particles);
+    dem_wall_springs_redistribute(state);
+    if (state->energy_balance->open)
     {
-        dem_energy_balance_begin_sweep(p->energy_balance);
+        dem_energy_balance_begin_sweep(state->energy_balance);
     }
     for (int walls = 1; walls >= 0; walls--)
     {
-        for (int s = 0; s < p->contacts.rows.classes; s++)
+        for (int s = 0; s < state->contacts.rows.classes; s++)
         {
-            if (p->interaction_table.list[s].pair.with_wall == walls)
+            if (state->interaction_table.list[s].pair.with_wall == walls)
             {
-                DEM_TRY(sweep_class(p, &t, s, &deferred, bodies));
+                DEM_TRY(sweep_class(state, &t, s, &deferred, bodies));
             }
         }
         /* particles that crossed a wall are reported with their present speed: from here on they are
            summed only, and kicked after the report */
-        if (bodies && p->lost_particles->crossings > 0)
+        if (bodies && state->lost_particles->crossings > 0)
         {
             bodies->unobserved = 0;
             bodies->work = DEM_BODIES_SUM;
         }
     }
-    DEM_TRY(dem_lost_cause_record_crossings(p));
-    return dem_limits_check_status(p);
+    DEM_TRY(dem_lost_cause_record_crossings(state));
+    return dem_limits_check_status(state);
 }
 
-int dem_sweep_contacts_and_sum(struct dem_state *p, double dt, const double time[2])
+int dem_sweep_contacts_and_sum(struct dem_state *state, double dt, const double time[2])
 {
-    const struct dem_body_sweep sums = {.contacts = &p->contacts, .sums_first = 1};
+    const struct dem_body_sweep sums = {.contacts = &state->contacts, .sums_first = 1};
     struct dem_body_pass pass;
 
-    dem_bodies_begin_pass(&pass, &p->particles, &p->interaction_table.bodies, &sums);
-    const int status = dem_sweep_contacts_and_bodies(p, dt, time, &pass);
+    dem_bodies_begin_pass(&pass, &state->particles, &state->interaction_table.bodies, &sums);
+    const int status = dem_sweep_contacts_and_bodies(state, dt, time, &pass);
 
     dem_bodies_finish_sums(&pass);
     return status;

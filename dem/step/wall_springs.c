@@ -88,10 +88,10 @@ static double overlap(const struct dem_wall_touch *t, double radius)
 }
 
 /* Tangential stiffness of a contact, up to a factor common to contacts of the same materials. */
-static double weight(const struct dem_state *p, const struct dem_wall_touch *t, double radius)
+static double weight(const struct dem_state *state, const struct dem_wall_touch *t, double radius)
 {
-    const struct dem_pair *const q = dem_contacts_pair(&p->contacts, t->row);
-    const double exponent = p->interaction_table.list[q->class].pair.exponent,
+    const struct dem_pair *const q = dem_contacts_pair(&state->contacts, t->row);
+    const double exponent = state->interaction_table.list[q->class].pair.exponent,
                  d = overlap(t, radius);
 
     return exponent > 1.25 ? sqrt(d) : 1.0;
@@ -99,10 +99,10 @@ static double weight(const struct dem_state *p, const struct dem_wall_touch *t, 
 
 /* Divide the sum of the springs of a surface among its contacts, by overlap; m: first history
    column of the spring. */
-static void divide_springs(struct dem_state *p, const struct surface *s, int m)
+static void divide_springs(struct dem_state *state, const struct surface *s, int m)
 {
-    const struct dem_wall_touch *const touch = p->touches.touch;
-    double *const *const history = p->contacts.history.column;
+    const struct dem_wall_touch *const touch = state->touches.touch;
+    double *const *const history = state->contacts.history.column;
     double total[3] = {0.0, 0.0, 0.0}, sum = 0.0;
 
     for (size_t k = s->first; k < s->end; k++)
@@ -110,7 +110,7 @@ static void divide_springs(struct dem_state *p, const struct surface *s, int m)
         if (touch[k].surface == s->leader)
         {
             const double d = overlap(&touch[k], s->radius),
-                         w = weight(p, &touch[d > 0.0 ? k : s->leader], s->radius);
+                         w = weight(state, &touch[d > 0.0 ? k : s->leader], s->radius);
             double v[3] = {history[m][touch[k].row], history[m + 1][touch[k].row],
                            history[m + 2][touch[k].row]};
 
@@ -139,10 +139,10 @@ static void divide_springs(struct dem_state *p, const struct surface *s, int m)
 }
 
 /* Scalar history goes from a contact that has ended to those that are new. */
-static void transfer_numbers(struct dem_state *p, const struct surface *s)
+static void transfer_numbers(struct dem_state *state, const struct surface *s)
 {
-    const struct dem_wall_touch *const touch = p->touches.touch;
-    struct dem_contacts *const c = &p->contacts;
+    const struct dem_wall_touch *const touch = state->touches.touch;
+    struct dem_contacts *const c = &state->contacts;
     size_t ended = s->end;
 
     for (size_t k = s->first; k < s->end; k++)
@@ -166,15 +166,15 @@ static void transfer_numbers(struct dem_state *p, const struct surface *s)
 
 /* Mark all contacts on the surface of the leader: those that touch, or that another facet has just
    taken over. Returns their number. */
-static int gather_surface(struct dem_state *p, const struct surface *s)
+static int gather_surface(struct dem_state *state, const struct surface *s)
 {
-    struct dem_wall_touch *const touch = p->touches.touch;
+    struct dem_wall_touch *const touch = state->touches.touch;
     int count = 0;
 
     for (size_t k = s->first; k < s->end; k++)
     {
         const int ended = touch[k].drop && touch[k].row != DEM_ROW_NONE &&
-                          dem_contact_history_any(&p->contacts.history, touch[k].row);
+                          dem_contact_history_any(&state->contacts.history, touch[k].row);
 
         if (touch[k].surface == NONE && touch[k].row != DEM_ROW_NONE &&
             (ended || overlap(&touch[k], s->radius) > 0.0) &&
@@ -187,10 +187,10 @@ static int gather_surface(struct dem_state *p, const struct surface *s)
     return count;
 }
 
-static void redistribute(struct dem_state *p, const enum column *column, size_t first, size_t end,
-                         double radius)
+static void redistribute(struct dem_state *state, const enum column *column, size_t first,
+                         size_t end, double radius)
 {
-    struct dem_wall_touch *const touch = p->touches.touch;
+    struct dem_wall_touch *const touch = state->touches.touch;
     struct surface s = {.first = first, .end = end, .column = column, .radius = radius};
 
     for (size_t k = first; k < end; k++)
@@ -213,40 +213,40 @@ static void redistribute(struct dem_state *p, const enum column *column, size_t 
         {
             return;
         }
-        if (gather_surface(p, &s) > 1)
+        if (gather_surface(state, &s) > 1)
         {
-            transfer_numbers(p, &s);
-            for (int m = 0; m < p->contacts.history.columns; m++)
+            transfer_numbers(state, &s);
+            for (int m = 0; m < state->contacts.history.columns; m++)
             {
                 if (column[m] == VECTOR)
                 {
-                    divide_springs(p, &s, m);
+                    divide_springs(state, &s, m);
                 }
             }
         }
     }
 }
 
-void dem_wall_springs_redistribute(struct dem_state *p)
+void dem_wall_springs_redistribute(struct dem_state *state)
 {
-    const struct dem_wall_search *const s = &p->pairs.wall_search;
+    const struct dem_wall_search *const s = &state->pairs.wall_search;
     enum column column[DEM_HISTORY_COLUMNS];
 
-    if (p->contacts.history.columns == 0 || p->touches.shared == 0)
+    if (state->contacts.history.columns == 0 || state->touches.shared == 0)
     {
         return;
     }
-    classify_columns(&p->interaction_table, column);
-    for (size_t k = 0; k < p->touches.shared; k++)
+    classify_columns(&state->interaction_table, column);
+    for (size_t k = 0; k < state->touches.shared; k++)
     {
-        const size_t first = p->touches.shared_first[k];
+        const size_t first = state->touches.shared_first[k];
         size_t end = first + 1;
 
         while (end < s->neighbors && s->neighbor[end].particle == s->neighbor[first].particle)
         {
             end++;
         }
-        redistribute(p, column, first, end,
-                     p->particles.record[s->neighbor[first].particle].radius);
+        redistribute(state, column, first, end,
+                     state->particles.record[s->neighbor[first].particle].radius);
     }
 }

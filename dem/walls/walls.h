@@ -59,49 +59,60 @@ struct dem_wall
 {
     char name[64];
     int material;
-    int frictionless;                                 /* 1: contacts have the normal force and its
-                                                         damping only */
+    /* 1: contacts have the normal force and its damping only */
+    int frictionless;
     enum dem_shape shape;
-    int outside;                                      /* cylinder, sphere: 1 when
-                                                         particles are outside */
-    double normal[3];                                 /* unit: of a plane, towards the
-                                                         particles; axis of a cylinder */
-    double point[3], radius;                          /* m: on the plane, on the axis, the centre */
-    int frame;                                        /* index of its reference frame in
-                                                         dem_walls, or -1: at rest */
-    int driven;                                       /* 1: the surface slides in itself (conveyor),
-                                                         see walls/wall_surface.c */
-    double drive[3], drive_spin[3], drive_origin[3];  /* m/s, 1/s, m, all in the wall's frame */
-    double drive_axis[3], drive_speed;                /* unit, m/s: of a belt around an axis */
-    const char *absorbs;                              /* name of the entry of the scene that
-                                                         makes it absorb particles, or NULL */
-    struct dem_wall_scalar *scalars;                  /* one for each particle scalar; NULL:
-                                                         insulated for all */
-    int outlet;                                       /* its index among the outlets, which
-                                                         counts them */
-    size_t triangles, flat, repeats;                  /* of all ranks: kept; dropped without area;
-                                                         dropped duplicates */
-    double area, centroid[3];                         /* m2, m: of its triangles, in its frame */
-    size_t given;                                     /* triangles given, before any are dropped */
-    int first_facet, facets;                          /* numbers of its facets: these */
-    double push;                                      /* m/s: largest speed along its own normal
-                                                         that its motion gives to its surface */
-    int follows_mesh, moves;                          /* 1: it follows a mesh; it
-                                                         moves in this advance */
-    double displacement;                              /* m: largest displacement of
-                                                         a corner, this advance */
+    /* cylinder, sphere: 1 when particles are outside */
+    int outside;
+    /* unit: of a plane, towards the particles; axis of a cylinder */
+    double normal[3];
+    /* m: on the plane, on the axis, the centre */
+    double point[3], radius;
+    /* index of its reference frame in dem_walls, or -1: at rest */
+    int frame;
+    /* 1: the surface slides in itself (conveyor), see walls/wall_surface.c */
+    int driven;
+    /* m/s, 1/s, m, all in the wall's frame */
+    double drive[3], drive_spin[3], drive_origin[3];
+    /* unit, m/s: of a belt around an axis */
+    double drive_axis[3], drive_speed;
+    /* name of the entry of the scene that makes it absorb particles, or NULL */
+    const char *absorbs;
+    /* one for each particle scalar; NULL: insulated for all */
+    struct dem_wall_scalar *scalars;
+    /* its index among the outlets, which counts them */
+    int outlet;
+    /* of all ranks: kept; dropped without area; dropped duplicates */
+    size_t triangles, flat, repeats;
+    /* m2, m: of its triangles, in its frame */
+    double area, centroid[3];
+    /* triangles given, before any are dropped */
+    size_t given;
+    /* numbers of its facets: these */
+    int first_facet, facets;
+    /* m/s: largest speed along its own normal that its motion gives to its surface */
+    double push;
+    /* 1: it follows a mesh; it moves in this advance */
+    int follows_mesh, moves;
+    /* m: largest displacement of a corner, this advance */
+    double displacement;
 };
 
 struct dem_triangle
 {
-    double corner[3][3];          /* m */
-    int facet;                    /* its index among the facets held */
-    uint32_t index;               /* its index among the triangles of all walls and ranks, sorted */
-    uint32_t given_index;         /* its index among the triangles given for its wall */
+    /* m */
+    double corner[3][3];
+    /* its index among the facets held */
+    int facet;
+    /* its index among the triangles of all walls and ranks, sorted */
+    uint32_t index;
+    /* its index among the triangles given for its wall */
+    uint32_t given_index;
     uint16_t wall;
-    uint8_t rim;                  /* bit k: edge k -> k + 1 is on the rim of its facet */
-    uint8_t place;                /* shift code: periods from here to its place in the facet, which
-                                     is connected */
+    /* bit k: edge k -> k + 1 is on the rim of its facet */
+    uint8_t rim;
+    /* shift code: periods from here to its place in the facet, which is connected */
+    uint8_t place;
 };
 
 /* corners of a triangle at begin and end of an advance */
@@ -112,17 +123,22 @@ struct dem_corner_trajectory
 
 struct dem_facet                  /* in the wall's frame */
 {
-    double normal[3], offset;     /* unit, m: n.x = offset on the plane; n of a cylinder: its
-                                     axis */
-    double centre[3], radius;     /* m: of a cylinder (any point of its axis) or sphere */
+    /* unit, m: n.x = offset on the plane; n of a cylinder: its axis */
+    double normal[3], offset;
+    /* m: of a cylinder (any point of its axis) or sphere */
+    double centre[3], radius;
     int wall, outside;
     enum dem_shape shape;
-    int number;                   /* among the facets of all ranks: the key of its contacts */
-    uint16_t bent;                /* 1: it follows a mesh and is no longer plane */
-    uint8_t endless;              /* bit k: along axis k it is joined to its own periodic image */
-    uint8_t distinct;             /* bit k: along axis k a particle may touch two of its images */
-    uint32_t largest;             /* `index` of the largest triangle of the surface given, whose
-                                     plane the facet has */
+    /* among the facets of all ranks: the key of its contacts */
+    int number;
+    /* 1: it follows a mesh and is no longer plane */
+    uint16_t bent;
+    /* bit k: along axis k it is joined to its own periodic image */
+    uint8_t endless;
+    /* bit k: along axis k a particle may touch two of its images */
+    uint8_t distinct;
+    /* `index` of the largest triangle of the surface given, whose plane the facet has */
+    uint32_t largest;
 };
 
 /* a triangle and the plane of its facet, as one rank hands it to another */
@@ -180,7 +196,8 @@ struct dem_walls
     int walls;
     struct dem_wall *wall;
     size_t wall_capacity;
-    struct dem_name_index names;               /* of walls */
+    /* of walls */
+    struct dem_name_index names;
     size_t triangles, triangle_capacity;
     struct dem_triangle *triangle;
     int facets;
@@ -191,24 +208,34 @@ struct dem_walls
     size_t frame_capacity;
     size_t marks, mark_capacity;
     struct dem_mark *mark;
-    double displacement;                       /* m: largest displacement of
-                                                  a wall in the last step */
-    int following;                             /* number of walls that follow a mesh; for these: */
-    struct dem_corner_trajectory *trajectory;  /* one per triangle, or NULL */
-    double flatness;                           /* m: tolerance for corners to be in a plane */
-    double advance;                            /* s: length of this advance */
-    double path_length;                        /* m: bounds of the path of corners: in the whole */
-    double since[DEM_MARK_REFERENCES];         /* run; since lists were made */
-    int absorbing;                             /* number of walls that absorb particles */
-    int all_flat_static;                       /* 1: all walls are flat and
-                                                  at rest, none is driven */
-    int elsewhere;                             /* 1: triangles are given on another rank */
-    int periodic;                              /* 1: triangles have periodic images; for these: */
-    double period[3], unit[3];                 /* m: of periodic axes, else 0; positions along them
-                                                  are multiples of the unit */
-    double face[2][3];                         /* m: the periodic faces */
-    double reach;                              /* m: what is further from a periodic face is not
-                                                  compared with particles beyond it */
+    /* m: largest displacement of a wall in the last step */
+    double displacement;
+    /* number of walls that follow a mesh */
+    int following;
+    /* of walls that follow a mesh: one per triangle, or NULL */
+    struct dem_corner_trajectory *trajectory;
+    /* m: tolerance for corners to be in a plane */
+    double flatness;
+    /* s: length of this advance */
+    double advance;
+    /* m: bound of the path of corners in the whole run */
+    double path_length;
+    /* m: the same since lists were made */
+    double since[DEM_MARK_REFERENCES];
+    /* number of walls that absorb particles */
+    int absorbing;
+    /* 1: all walls are flat and at rest, none is driven */
+    int all_flat_static;
+    /* 1: triangles are given on another rank */
+    int elsewhere;
+    /* 1: triangles have periodic images */
+    int periodic;
+    /* m: of periodic axes, else 0; positions along them are multiples of the unit */
+    double period[3], unit[3];
+    /* m: the periodic faces */
+    double face[2][3];
+    /* m: what is further from a periodic face is not compared with particles beyond it */
+    double reach;
 };
 
 void dem_walls_free(struct dem_walls *);

@@ -50,8 +50,6 @@ Description
 
     Not included: species, more than one fluid, mesh refinement.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -65,7 +63,9 @@ Description
 #include "emptyFvPatch.H"
 #include "demCloud.H"
 #include "demDrivingForce.H"
+#include "demFiles.H"
 #include "demFluid.H"
+#include "demMeshCheck.H"
 #include "demTimeStepControl.H"
 #include "demSettle.H"
 #include "demStop.H"
@@ -173,9 +173,14 @@ int main(int argc, char *argv[])
                 (
                     toCells(netForcef)().primitiveField()
                   + remainder.primitiveField()
-                  + drag.primitiveField()
+                  + D.primitiveField()
                    *(Us.primitiveField() - U.primitiveField())
                 )(),
+                (
+                    sourceS
+                  ? gSum((mesh.V()*(sourceS() - sourceR()*U)().primitiveField())())
+                  : vector::zero
+                ),
                 cloud.budget().toFluid(),
                 dsdt
             );
@@ -205,5 +210,3 @@ int main(int argc, char *argv[])
 
     return 0;
 }
-
-// ************************************************************************* //

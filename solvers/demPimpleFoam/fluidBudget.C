@@ -1,8 +1,6 @@
 /*---------------------------------------------------------------------------*\
     fluidBudget.C -- terms of the fluid's budget, from the matrix and the patches.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
@@ -11,8 +9,6 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "emptyFvPatch.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fluidBudget::keepFluxes()
 {
@@ -25,8 +21,6 @@ void Foam::fluidBudget::keepFluxes()
     }
 }
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::fluidBudget::fluidBudget
 (
@@ -50,8 +44,6 @@ Foam::fluidBudget::fluidBudget
     iterations_(Zero)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::fluidBudget::isCounted(const fvPatch& patch)
 {
@@ -176,6 +168,7 @@ void Foam::fluidBudget::endStep
 (
     const volScalarField& p,
     const vectorField& ofFaces,
+    const vector& ofSources,
     const vector& toFluid,
     const volScalarField& dsdt
 )
@@ -185,7 +178,8 @@ void Foam::fluidBudget::endStep
     const vectorField& u = U_;
     const scalarField& e = voidFraction_;
 
-    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid);
+    const vector sources(rhoDeltaT*ofSources);
+    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid - sources);
 
     budget_.state(demBudget::VOLUME, "fluid", gSum((V*e)()));
     budget_.state
@@ -237,6 +231,7 @@ void Foam::fluidBudget::endStep
     budget_.gain("continuity", rhoDeltaT*continuity_);
     budget_.gain("iterations", rhoDeltaT*iterations_);
     budget_.gain("faces", faces);
+    budget_.gain("sources", sources);
     budget_.gain
     (
         demBudget::VOLUME,
@@ -255,5 +250,3 @@ void Foam::fluidBudget::endStep
     );
     budget_.endStep();
 }
-
-// ************************************************************************* //

@@ -1,32 +1,22 @@
 /*---------------------------------------------------------------------------*\
     fluidTemperature.C -- temperature of the fluid, which exchanges heat with particles.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fluidTemperature.H"
 #include "checkTimeScheme.H"
+#include "demFiles.H"
 #include "fluidBudget.H"
 #include "fvCFD.H"
 #include "fvOptions.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
 static IOobject temperatureFile(const fvMesh& mesh, const demHeatExchange& exchange)
 {
-    IOobject io
-    (
-        "T",
-        mesh.time().timeName(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::AUTO_WRITE
-    );
+    IOobject io(demFieldAt(mesh, "T", IOobject::MUST_READ, IOobject::AUTO_WRITE));
 
     if (!io.typeHeaderOk<volScalarField>(true))
     {
@@ -81,8 +71,6 @@ static volScalarField uniform(const fvMesh& mesh, const dimensionedScalar& value
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::fluidTemperature::fluidTemperature
 (
@@ -156,8 +144,6 @@ Foam::fluidTemperature::fluidTemperature
     exchange_.setFluid(T_, kappa_, Cp_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField> Foam::fluidTemperature::buoyancy
 (
@@ -266,5 +252,3 @@ void Foam::fluidTemperature::correct()
         );
     }
 }
-
-// ************************************************************************* //

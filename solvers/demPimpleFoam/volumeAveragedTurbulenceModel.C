@@ -2,19 +2,16 @@
     volumeAveragedTurbulenceModel.C -- models of turbulence in the void space, and their
     selection.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "volumeAveragedTurbulenceModel.H"
+#include "demFiles.H"
 #include "linearViscousStress.H"
 #include "makeTurbulenceModel.H"
 #include "fvcGrad.H"
 #include "fvMatrix.H"
 #include "addToRunTimeSelectionTable.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
@@ -74,8 +71,6 @@ static autoPtr<volumeAveragedTurbulenceModel> select
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
-
 Foam::volumeAveragedTurbulenceModel::volumeAveragedTurbulenceModel
 (
     const word& type,
@@ -103,8 +98,6 @@ Foam::volumeAveragedTurbulenceModel::volumeAveragedTurbulenceModel
 {}
 
 
-// * * * * * * * * * * * * * * * * Selector  * * * * * * * * * * * * * * * * //
-
 Foam::autoPtr<Foam::volumeAveragedTurbulenceModel>
 Foam::volumeAveragedTurbulenceModel::New
 (
@@ -116,15 +109,7 @@ Foam::volumeAveragedTurbulenceModel::New
 {
     const IOdictionary properties
     (
-        IOobject
-        (
-            propertiesName,
-            U.time().constant(),
-            U.db(),
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        demFileAt(U.time().constant(), propertiesName, U.db(), IOobject::MUST_READ)
     );
     const word type(properties.lookup("simulationType"));
 
@@ -160,8 +145,6 @@ Foam::volumeAveragedTurbulenceModel::New
 }
 
 
-// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
-
 Foam::tmp<Foam::surfaceScalarField>
 Foam::volumeAveragedTurbulenceModel::phi() const
 {
@@ -169,15 +152,7 @@ Foam::volumeAveragedTurbulenceModel::phi() const
     (
         new surfaceScalarField
         (
-            IOobject
-            (
-                "none",
-                runTime_.timeName(),
-                mesh_,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
-            ),
+            demFileAt(runTime_.timeName(), "none", mesh_, IOobject::NO_READ),
             mesh_,
             dimensionedScalar(alphaRhoPhi_.dimensions(), Zero)
         )
@@ -329,5 +304,3 @@ LESType(kOmegaSSTDDES)
 
 #include "kOmegaSSTIDDES.H"
 LESType(kOmegaSSTIDDES)
-
-// ************************************************************************* //

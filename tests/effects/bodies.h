@@ -30,7 +30,8 @@ static inline void body_fill(struct dem_body_batch *b, int c, double diameter, d
     b->viscosity[c] = mu;
     b->ux[c] = e > 0.0 ? re*mu/(e*rho*diameter) : 0.0;
     b->uy[c] = b->uz[c] = 0.0;
-    b->b[c] = b->bux[c] = b->buy[c] = b->buz[c] = b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
+    b->drag[c] = b->drag_ux[c] = b->drag_uy[c] = b->drag_uz[c] = b->fx[c] = b->fy[c] = b->fz[c] =
+        0.0;
 }
 
 /* G of a drag law: b over 3 pi mu d, for a sphere of 1 mm in water-like fluid */
@@ -43,7 +44,7 @@ static inline double body_drag(const struct dem_effect *law, const void *setting
     b.n = 1;
     body_fill(&b, 0, 1e-3, 1000.0, 1e-3, e, re);
     dem_effect_apply_to_bodies(law, settings, &b);
-    return b.b[0]/(3.0*3.14159265358979324*1e-3*1e-3);
+    return b.drag[0]/(3.0*3.14159265358979324*1e-3*1e-3);
 }
 
 #endif

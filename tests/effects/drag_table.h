@@ -97,22 +97,22 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     b.ux[4] = 5.0;
     dem_effect_apply_to_bodies(law, settings, &b);
     /* a few rounded factors; 0.04 is 3.04 - 3, with a rounding of 1e-14 */
-    TAP_NEAR(b.b[0]/stokes/body_drag(law, settings, 0.6, 0.0), 1.0, 1e-13,
+    TAP_NEAR(b.drag[0]/stokes/body_drag(law, settings, 0.6, 0.0), 1.0, 1e-13,
              "moving with the fluid: as at rest in it");
     for (int c = 1; c < 4; c++)
     {
-        TAP_NEAR(b.b[c]/stokes/body_drag(law, settings, 0.6, 24.0), 1.0, 1e-12,
+        TAP_NEAR(b.drag[c]/stokes/body_drag(law, settings, 0.6, 24.0), 1.0, 1e-12,
                  "slip along axis %d alone", c - 1);
     }
-    TAP_OK(b.bux[1] == b.b[1]*b.ux[1] && b.buy[2] == b.b[2]*b.uy[2] && b.buz[3] == b.b[3]*b.uz[3],
-           "target: b times the fluid velocity");
-    TAP_OK(b.b[4] == 0.0 && b.bux[4] == 0.0 && b.b[5] == 0.0 && b.bux[5] == 0.0,
+    TAP_OK(b.drag_ux[1] == b.drag[1]*b.ux[1] && b.drag_uy[2] == b.drag[2]*b.uy[2] &&
+           b.drag_uz[3] == b.drag[3]*b.uz[3], "target: b times the fluid velocity");
+    TAP_OK(b.drag[4] == 0.0 && b.drag_ux[4] == 0.0 && b.drag[5] == 0.0 && b.drag_ux[5] == 0.0,
            "no viscosity or empty row: no drag");
     TAP_OK(b.fx[1] == 0.0 && b.fy[2] == 0.0 && b.fz[3] == 0.0, "no explicit force");
-    const double once = b.b[1];
+    const double once = b.drag[1];
 
     dem_effect_apply_to_bodies(law, settings, &b);
-    TAP_OK(b.b[1] == 2.0*once, "adds to the value in the column");
+    TAP_OK(b.drag[1] == 2.0*once, "adds to the value in the column");
     TAP_OK(law->drag != DEM_DRAG_NONE && law->needs == DEM_NEEDS_FLUID,
            "it is declared as a drag law that needs the fluid");
 }

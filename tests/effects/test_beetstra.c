@@ -53,20 +53,21 @@ static void mixture(double e, double slip)
     dem_beetstra.apply_to_bodies(&own, &b);
     for (int k = 0; k < 3; k++)
     {
-        sum += solids[k]*(1.0 - e)/sphere_volume(d[k])*b.b[k];
+        sum += solids[k]*(1.0 - e)/sphere_volume(d[k])*b.drag[k];
     }
     /* rounding */
-    TAP_NEAR(sum/((1.0 - e)/sphere_volume(own.mean_diameter)*b.b[3]), 1.0, 1e-13,
+    TAP_NEAR(sum/((1.0 - e)/sphere_volume(own.mean_diameter)*b.drag[3]), 1.0, 1e-13,
              "e = %g: as spheres of the Sauter mean", e);
-    TAP_NEAR(b.b[2]/b.b[0], 16.0, 1e-12, "e = %g: four times the size, sixteen times the drag", e);
-    const double alone = b.b[3];
+    TAP_NEAR(b.drag[2]/b.drag[0], 16.0, 1e-12,
+             "e = %g: four times the size, sixteen times the drag", e);
+    const double alone = b.drag[3];
 
     own.mean_diameter = 0.0;
     body_fill(&b, 3, 1.0/over, 1000.0, 1e-3, e, 0.0);
     b.ux[3] = slip;
     dem_beetstra.apply_to_bodies(&own, &b);
-    TAP_NEAR(b.b[3]/alone, 1.0, 1e-15, "e = %g: a sphere of the mean has the drag of equal spheres",
-             e);    /* rounding of y = 1 */
+    TAP_NEAR(b.drag[3]/alone, 1.0, 1e-15,    /* rounding of y = 1 */
+             "e = %g: a sphere of the mean has the drag of equal spheres", e);
 }
 
 int main(void)
@@ -111,13 +112,14 @@ int main(void)
     }
     b.mean_diameter[0] = 1e-3, b.mean_diameter[1] = 2e-3;
     dem_beetstra.apply_to_bodies(&own, &b);
-    const double around = b.b[1];
+    const double around = b.drag[1];
 
-    TAP_NEAR(b.b[0]/b.b[2], 1.0, 1e-15, "a mean around equal to its diameter, or 0 for none: as among equals");
+    TAP_NEAR(b.drag[0]/b.drag[2], 1.0, 1e-15,
+             "a mean around equal to its diameter, or 0 for none: as among equals");
     own.around = 0, own.mean_diameter = 2e-3;
     body_fill(&b, 1, 1e-3, 1000.0, 1e-3, 0.5, 20.0);
     dem_beetstra.apply_to_bodies(&own, &b);
-    TAP_OK(b.b[1] == around, "the mean around gives the same as the setting");
+    TAP_OK(b.drag[1] == around, "the mean around gives the same as the setting");
     own.around = 1;
     TAP_OK(dem_beetstra.extra_needs(&own) == DEM_NEEDS_MEAN_DIAMETER &&
                dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT,

@@ -301,19 +301,19 @@ static void body_effect(const struct dem_effect *e)
         scalar_columns_bodies(&one);
         scalar_columns_row(e, 0, row);
         dem_effect_apply_to_bodies(e, settings, &one);
-        bad += differs(many.added_mass, many.tz, one.added_mass, row);
+        bad += differs(many.added_mass, many.spin_drag_wz, one.added_mass, row);
         bad += differs(rate[0][0], rate[2][DEM_EFFECT_SCALARS - 1], scalar_columns.result[0][0],
                        row);
     }
     TAP_OK(bad == 0, "%s: a row has the same bits alone and among others (%d differ)", e->name,
            bad);
-    TAP_OK(bad_columns(many.added_mass, many.tz) +
+    TAP_OK(bad_columns(many.added_mass, many.spin_drag_wz) +
                    bad_columns(rate[0][0], rate[2][DEM_EFFECT_SCALARS - 1]) == 0,
            "%s: all finite", e->name);
     bad = 0;
     for (int row = 0; row < ROWS; row++)
     {
-        bad += many.b[row] < 0.0 || many.t[row] < 0.0 || many.added_mass[row] < 0.0 ||
+        bad += many.drag[row] < 0.0 || many.spin_drag[row] < 0.0 || many.added_mass[row] < 0.0 ||
                rate[1][0][row] < 0.0;
     }
     TAP_OK(bad == 0, "%s: no coefficient of drag or rotational drag and no added mass is negative",
@@ -323,10 +323,11 @@ static void body_effect(const struct dem_effect *e)
     many.n = DEM_BATCH_ROWS;
     scalar_columns_bodies(&many);
     dem_effect_apply_to_bodies(e, settings, &many);
-    TAP_OK(bad_columns(many.added_mass, many.tz) == 0 && many.fx[DEM_BATCH_ROWS - 1] == 0.0 &&
-               many.b[0] == 0.0,
+    TAP_OK(bad_columns(many.added_mass, many.spin_drag_wz) == 0 &&
+           many.fx[DEM_BATCH_ROWS - 1] == 0.0 && many.drag[0] == 0.0,
            "%s: rows of zeros", e->name);
-    TAP_OK(many.rx[0] == 0.0 && many.t[DEM_BATCH_ROWS - 1] == 0.0 && many.added_mass[0] == 0.0,
+    TAP_OK(many.rx[0] == 0.0 && many.spin_drag[DEM_BATCH_ROWS - 1] == 0.0 &&
+           many.added_mass[0] == 0.0,
            "%s: rows of zeros have no reaction, rotational drag or added mass", e->name);
 }
 
@@ -350,7 +351,7 @@ static void declarations(const struct dem_effect *e)
     {
         has_reaction |= b.rx[row] != 0.0 || b.ry[row] != 0.0 || b.rz[row] != 0.0;
         pushes |= b.fx[row] != 0.0 || b.fy[row] != 0.0 || b.fz[row] != 0.0;
-        turns |= b.t[row] != 0.0;
+        turns |= b.spin_drag[row] != 0.0;
         added |= b.added_mass[row] != 0.0;
     }
     TAP_OK(has_reaction == e->has_reaction && added == e->has_added_mass &&

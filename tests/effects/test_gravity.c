@@ -32,6 +32,6 @@ int main(void)
            "mass 0: the force is not changed");
     TAP_OK(b.fx[1] == 1.0 + 0.3 && b.fy[1] == -0.2 && b.fz[1] == 2.0 - 9.81, "1 kg");
     TAP_OK(b.fx[2] == 1.0 + 2.0*0.3 && b.fy[2] == -2.0*0.2 && b.fz[2] == 2.0 - 2.0*9.81, "2 kg");
-    TAP_OK(b.b[2] == 0.0 && b.bux[2] == 0.0, "no drag");
+    TAP_OK(b.drag[2] == 0.0 && b.drag_ux[2] == 0.0, "no drag");
     TAP_DONE;
 }

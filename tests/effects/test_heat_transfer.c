@@ -114,7 +114,8 @@ static void form(int k)
            "%s: the target is the fluid's temperature, and there is no explicit rate", law[k]->name);
     TAP_OK(scalar_columns.result[1][0][1] == 0.0 && scalar_columns.result[2][0][1] == 0.0,
            "%s: nothing in an empty row", law[k]->name);
-    TAP_OK(b.b[0] == 0.0 && b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.t[0] == 0.0, "%s: no force",
+    TAP_OK(b.drag[0] == 0.0 && b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.spin_drag[0] == 0.0,
+           "%s: no force",
            law[k]->name);
     fill(0.6, 24.0, 0.0, 350.0, 0.0, 0);
     dem_effect_apply_to_bodies(law[k], NULL, &b);

@@ -72,7 +72,7 @@ int main(void)
     TAP_OK(isfinite(lift(d, rho, mu, 1e-250, 1e9)) && isfinite(lift(d, rho, mu, 1e6, 1e9)) &&
                isfinite(lift(d, rho, 0.0, 1.0, 1.0)),
            "finite");
-    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0 && b.t[0] == 0.0,
+    TAP_OK(b.fx[0] == 0.0 && b.drag[0] == 0.0 && b.spin_drag[0] == 0.0,
            "only in the column that the fluid receives");
     TAP_DONE;
 }

@@ -89,6 +89,6 @@ int main(void)
              "normal to the vorticity");
     TAP_NEAR((fabs(b.rx[1]) + fabs(b.ry[1]) + fabs(b.rz[1]))/size, 0.0, 1e-12,
              "slip along the vorticity: none");
-    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0, "only in the column that the fluid receives");
+    TAP_OK(b.fx[0] == 0.0 && b.drag[0] == 0.0, "only in the column that the fluid receives");
     TAP_DONE;
 }

@@ -57,9 +57,9 @@ int main(void)
     body_fill(&b, 1, 1e-3, 1000.0, 1e-3, 0.6, 20.0);
     b.vx[1] = -b.ux[1];
     dem_schiller_naumann.apply_to_bodies(NULL, &b);
-    TAP_NEAR(b.b[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13,
+    TAP_NEAR(b.drag[1]/(3.0*3.14159265358979324*1e-6), G(0.6, 40.0), 1e-13,
              "drag depends on the slip alone");    /* rounding */
-    TAP_OK(b.bux[0] == b.b[0]*b.ux[0] && b.b[2] == 0.0,
+    TAP_OK(b.drag_ux[0] == b.drag[0]*b.ux[0] && b.drag[2] == 0.0,
            "target with the coefficient; an empty row: zero");
     drag_form(&dem_schiller_naumann, NULL);
     TAP_DONE;

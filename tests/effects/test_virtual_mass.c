@@ -68,7 +68,7 @@ int main(void)
 
     TAP_OK(b.added_mass[0] == a && b.rx[0] == a*3.0 && b.ry[0] == -a*2.0 && b.rz[0] == a*9.81,
            "a Du/Dt, in the column that the fluid receives");
-    TAP_OK(b.fx[0] == 0.0 && b.b[0] == 0.0, "in no other column");
+    TAP_OK(b.fx[0] == 0.0 && b.drag[0] == 0.0, "in no other column");
     TAP_OK(b.added_mass[1] == 0.0 && b.rx[1] == 0.0, "an empty row: zero");
     TAP_OK(dem_virtual_mass.has_added_mass && dem_virtual_mass.has_reaction &&
                dem_virtual_mass.needs & DEM_NEEDS_ACCELERATION,

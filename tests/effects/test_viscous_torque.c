@@ -23,7 +23,7 @@ static double factor(double re)
     body_fill(&b, 0, d, rho, mu, 1.0, 0.0);
     b.wz[0] = re*mu/(rho*d*d);
     dem_viscous_torque.apply_to_bodies(&correction, &b);
-    return b.t[0]/(3.14159265358979324*mu*d*d*d);
+    return b.spin_drag[0]/(3.14159265358979324*mu*d*d*d);
 }
 
 int main(void)
@@ -52,11 +52,12 @@ int main(void)
     }
     b.wx[1] = 2.0, b.wy[1] = -3.0, b.wz[1] = 1.0;
     dem_viscous_torque.apply_to_bodies(&correction, &b);
-    TAP_OK(b.tx[0] == 2.0*b.t[0] && b.ty[0] == -3.0*b.t[0] && b.tz[0] == b.t[0],
-           "towards half the vorticity");
-    TAP_OK(b.tx[1] - b.t[1]*b.wx[1] == 0.0 && b.tz[1] - b.t[1]*b.wz[1] == 0.0,
+    TAP_OK(b.spin_drag_wx[0] == 2.0*b.spin_drag[0] && b.spin_drag_wy[0] == -3.0*b.spin_drag[0] &&
+           b.spin_drag_wz[0] == b.spin_drag[0], "towards half the vorticity");
+    TAP_OK(b.spin_drag_wx[1] - b.spin_drag[1]*b.wx[1] == 0.0 &&
+           b.spin_drag_wz[1] - b.spin_drag[1]*b.wz[1] == 0.0,
            "no torque on a sphere that rotates with the fluid");
-    TAP_OK(b.t[2] == 0.0 && b.tx[2] == 0.0, "an empty row: zero");
-    TAP_OK(b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.b[0] == 0.0, "no force");
+    TAP_OK(b.spin_drag[2] == 0.0 && b.spin_drag_wx[2] == 0.0, "an empty row: zero");
+    TAP_OK(b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.drag[0] == 0.0, "no force");
     TAP_DONE;
 }

@@ -1,7 +1,7 @@
 /*
  * test_fused.c -- fused kernels give the same bits as the loops of their effects.
  *
- * - Each kernel of laws/fused/combinations.h, in a scene of two materials and sizes that meet
+ * - Each kernel of laws/fused, in a scene of two materials and sizes that meet
  *   each other and walls of both: particles, forces and history have the same bits with the
  *   kernel and without it.
  * - So do the first laws of a longer list: bonds, cohesion and twisting come after them.

@@ -157,13 +157,6 @@ static void any_order(void)
         }
     }
     dem_sum_clear(&total);
-    for (int r = 0; r < 7; r++)
-    {
-        dem_sum_merge(&total, rank + r);
-    }
-    TAP_OK(same_bits(dem_sum_value(&total), forwards), "merged from seven parts");
-
-    dem_sum_clear(&total);
     for (int r = 6; r >= 0; r--)
     {
         dem_sum_normalise(rank + r);
@@ -191,7 +184,11 @@ static void many_additions(void)
     /* 2^40 times the sum by doubling: every limb carries again and again */
     for (int i = 0; i < 40; i++)
     {
-        dem_sum_merge(&s, &s);
+        dem_sum_normalise(&s);
+        for (int k = 0; k < DEM_SUM_PARTS; k++)
+        {
+            s.part[k] *= 2;
+        }
     }
     TAP_OK(same_bits(dem_sum_value(&s), ldexp((double)((wide)n*whole), 40)), "doubled forty times");
 
@@ -206,8 +203,6 @@ static void many_additions(void)
 
 static void not_numbers(void)
 {
-    struct dem_sum a, b;
-
     TAP_OK(isnan(sum_of((double[]){1.0, NAN, 2.0}, 3)), "a not-a-number is not lost");
     TAP_OK(same_bits(sum_of((double[]){1.0, INFINITY, -DBL_MAX}, 3), INFINITY),
            "an infinity is not lost");
@@ -215,11 +210,6 @@ static void not_numbers(void)
            "a negative infinity is not lost");
     TAP_OK(isnan(sum_of((double[]){INFINITY, -INFINITY}, 2)),
            "both infinities give a not-a-number");
-    dem_sum_clear(&a);
-    dem_sum_clear(&b);
-    dem_sum_add(&b, NAN);
-    dem_sum_merge(&a, &b);
-    TAP_OK(isnan(dem_sum_value(&a)), "a merge keeps not-a-number");
 }
 
 int main(void)

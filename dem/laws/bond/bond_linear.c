@@ -249,7 +249,12 @@ DEM_MATH void shield_row(const struct bond *bond, struct dem_contact_row *r, dou
     values[WORN] = less;
 }
 
-DEM_CONTACT_LOOP(shield, bond, shield_row, WORN + 1, bond_replaces, overlap, touching)
+#define LOOP shield
+#define LAW bond
+#define ROW shield_row
+#define COLUMNS (WORN + 1)
+#define SETS DEM_SETS_REPLACED
+#include "laws/contact_loop.h"
 
 /* ---- making -------------------------------------------------------------------------------------------------- */
 
@@ -399,7 +404,13 @@ DEM_MATH void row(const struct bond *bond, struct dem_contact_row *r, double *va
     values[WORN] = dem_select(holds > on, size[0], values[WORN]);
 }
 
-DEM_CONTACT_LOOP(hold, bond, row, ASKED, fn, fx, fy, fz, mx, my, mz, stored, lost, bonds, broke, cause)
+#define LOOP hold
+#define LAW bond
+#define ROW row
+#define COLUMNS ASKED
+#define SETS DEM_SETS_FN | DEM_SETS_FORCE | DEM_SETS_MOMENT | DEM_SETS_STORED | \
+    DEM_SETS_LOST | DEM_SETS_BONDS
+#include "laws/contact_loop.h"
 
 /* ---- breaking ------------------------------------------------------------------------------------------------ */
 

@@ -47,13 +47,14 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         pair->exponent > 0.0, DEM_ERROR_INPUT,
         "dry between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
         pair->a->name, pair->b->name);
-    dry->min_force = dem_attraction_min_force(dry->attraction);
     dry->alpha =
         dem_restitution_critical(pair->exponent)*(loss/sqrt(DEM_RESTITUTION_PI2 + loss*loss));
     return DEM_OK;
 }
 
-DEM_CONTACT_LOOP(apply, dem_dry, dem_dry_row, dem_dry_columns, eta, fn, adhesive_force)
+#define LAW dem_dry
+#define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)

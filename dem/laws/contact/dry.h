@@ -12,7 +12,7 @@ struct dem_dry
 {
     double restitution;
     int attraction;
-    double alpha, min_force;    /* 1, N  derived */
+    double alpha;    /* 1  derived */
 };
 
 enum
@@ -23,7 +23,7 @@ enum
 DEM_MATH void dem_dry_row(const struct dem_dry *l, struct dem_contact_row *r, double *history)
 {
     (void)history;
-    dem_dashpot_row(r, l->alpha*sqrt(r->reduced_mass*r->kn), l->min_force);
+    dem_dashpot_row(r, l->alpha*sqrt(r->reduced_mass*r->kn), l->attraction);
 }
 
 #endif

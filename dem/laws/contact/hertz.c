@@ -92,7 +92,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return wave;
 }
 
-DEM_CONTACT_LOOP(apply, dem_hertz, dem_hertz_row, dem_hertz_columns, kn, fn)
+#define LAW dem_hertz
+#define SETS DEM_SETS_KN | DEM_SETS_FN
+#include "laws/contact_loop.h"
 
 /* elastic energy, 2/5 F_n d */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

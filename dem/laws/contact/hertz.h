@@ -22,7 +22,7 @@ enum
     dem_hertz_columns = 0
 };
 
-#define dem_hertz_before DEM_NOTHING_BEFORE
+#define dem_hertz_before(settings, batch) (void)0
 
 DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r, double *history)
 {

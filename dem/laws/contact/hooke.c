@@ -53,7 +53,10 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
     return dem_impact_contact_time(&((const struct dem_hooke *)of)->spring, 1.0, pair);
 }
 
-DEM_CONTACT_LOOP_AFTER(dem_hooke_before, apply, dem_hooke, dem_hooke_row, dem_hooke_columns, fn)
+#define LAW dem_hooke
+#define BEFORE dem_hooke_before
+#define SETS DEM_SETS_FN
+#include "laws/contact_loop.h"
 
 /* elastic energy, 1/2 F_n d; k is zero where the bodies are apart */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

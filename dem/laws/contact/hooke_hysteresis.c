@@ -92,8 +92,10 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
     return dem_impact_contact_time(&((const struct dem_hooke_hysteresis *)of)->spring, 1.0, pair);
 }
 
-DEM_CONTACT_LOOP_AFTER(dem_hooke_hysteresis_before, apply, dem_hooke_hysteresis,
-                       dem_hooke_hysteresis_row, dem_hooke_hysteresis_columns, fn, adhesive_force)
+#define LAW dem_hooke_hysteresis
+#define BEFORE dem_hooke_hysteresis_before
+#define SETS DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
 /* ---- energy ---------------------------------------------------------------------------------------------- */
 

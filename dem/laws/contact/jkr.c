@@ -89,9 +89,15 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return stiffness > 0.0 ? 0.05*pi*sqrt(pair->min_mass/stiffness) : DBL_MAX;
 }
 
-DEM_CONTACT_LOOP(set_adhesion, dem_jkr, dem_jkr_adhesion_row, dem_jkr_columns, scratch, adhesive_force)
+#define LOOP set_adhesion
+#define LAW dem_jkr
+#define ROW dem_jkr_adhesion_row
+#define SETS DEM_SETS_SCRATCH | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
-DEM_CONTACT_LOOP(apply, dem_jkr, dem_jkr_row, dem_jkr_columns, fn, stored, lost)
+#define LAW dem_jkr
+#define SETS dem_jkr_sets
+#include "laws/contact_loop.h"
 
 /* act has stored the energy of the whole law; 2/5 F_n d of it is already counted by hertz */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

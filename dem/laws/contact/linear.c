@@ -77,7 +77,9 @@ static double previous(const void *of, const struct dem_contact_batch *b,
            + linear->ratio*e->previous_kn[c];
 }
 
-DEM_CONTACT_LOOP(apply, dem_linear, dem_linear_row, dem_linear_columns, kt, fx, fy, fz)
+#define LAW dem_linear
+#define SETS DEM_SETS_KT | DEM_SETS_FORCE
+#include "laws/contact_loop.h"
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

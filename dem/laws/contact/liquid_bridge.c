@@ -257,7 +257,8 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, double *
         film.rate_i[c] += 0.5*(1.0 + l.wall)*broken - formed*part*of_i;
         film.rate_j[c] += 0.5*(1.0 - l.wall)*broken - formed*part*of_j;
         volume[c] = after;
-        DEM_STORE(fn, fx, fy, fz, stored, lost)
+        dem_contact_row_store(
+            &r, DEM_SETS_FN | DEM_SETS_FORCE | DEM_SETS_STORED | DEM_SETS_LOST, b, c);
     }
 }
 

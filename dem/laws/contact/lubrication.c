@@ -127,7 +127,11 @@ DEM_MATH void row(const struct lubrication *l, struct dem_contact_row *r, double
     r->lost += damper*vn*r->dt*(vn - 0.5*damper*vn*r->dt/dem_select(m > 0.0, m, 1.0));
 }
 
-DEM_CONTACT_LOOP(apply, lubrication, row, 0, fn, lost)
+#define LAW lubrication
+#define ROW row
+#define COLUMNS 0
+#define SETS DEM_SETS_FN | DEM_SETS_LOST
+#include "laws/contact_loop.h"
 
 /* judged in use only: where a film is missing, stokes is the simpler law */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)

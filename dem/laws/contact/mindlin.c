@@ -76,7 +76,9 @@ static double previous(const void *of, const struct dem_contact_batch *b,
            sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
 }
 
-DEM_CONTACT_LOOP(apply, dem_mindlin, dem_mindlin_row, dem_mindlin_columns, kt, fx, fy, fz)
+#define LAW dem_mindlin
+#define SETS DEM_SETS_KT | DEM_SETS_FORCE
+#include "laws/contact_loop.h"
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

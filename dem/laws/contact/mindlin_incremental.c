@@ -60,7 +60,11 @@ DEM_MATH void incremental_row(const struct dem_mindlin *l, struct dem_contact_ro
     h[3] = r->kt;
 }
 
-DEM_CONTACT_LOOP(apply, dem_mindlin, incremental_row, 4, kt, fx, fy, fz)
+#define LAW dem_mindlin
+#define ROW incremental_row
+#define COLUMNS 4
+#define SETS DEM_SETS_KT | DEM_SETS_FORCE
+#include "laws/contact_loop.h"
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

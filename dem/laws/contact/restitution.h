@@ -42,39 +42,32 @@ static inline double dem_restitution_loss(double e)
 
 /* ---- attraction at the end of a contact: the dashpot pulls harder than the spring repels --------- */
 
-enum
+enum    /* lower limit of the normal force */
 {
-    DEM_ATTRACTION_ALLOWED,
-    DEM_ATTRACTION_CLAMPED,
-    DEM_ATTRACTION_NONE
+    DEM_ATTRACTION_ALLOWED,    /* none */
+    DEM_ATTRACTION_CLAMPED,    /* 0 where the spring repels, none where it attracts */
+    DEM_ATTRACTION_NONE        /* 0; no adhesive force counts in the friction limit either */
 };
 static const char *const dem_attractions[] = {"allowed", "clamped", "none", NULL};
 
-/* N: the smallest normal force that this choice allows; above 0: as 0, for attractive springs too */
-static inline double dem_attraction_min_force(int choice)
+/* The damping force joins the spring force of the row. With DEM_ATTRACTION_NONE the force is
+   max(F, 0), eq. (10) of Open DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025).
+   Masks instead of branches: the loop over rows stays vector code. */
+DEM_MATH void dem_damping_row(struct dem_contact_row *r, double eta, double damping, int attraction)
 {
-    return choice == DEM_ATTRACTION_NONE ? 1.0 : choice == DEM_ATTRACTION_CLAMPED ? 0.0 : -1e30;
-}
-
-/* The damping force joins the spring of the row. Clamped, a repulsive spring force does not become
-   attractive, and an attractive one is not changed. None: max(F, 0) of the whole, eq. (10) of Open
-   DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025); and no adhesive force counts
-   in the friction limit. min_force: of dem_attraction_min_force. */
-DEM_MATH void dem_damping_row(struct dem_contact_row *r, double eta, double damping,
-                              double min_force)
-{
-    const double spring = r->fn, sum = spring - damping;
-    const double lowest = dem_select(min_force > 0.0, 0.0, min_force);
+    const double force = r->fn - damping;
+    const int clamped = (attraction == DEM_ATTRACTION_CLAMPED) & (r->fn >= 0.0),
+              none = attraction == DEM_ATTRACTION_NONE;
 
     r->eta = eta;
-    r->fn = dem_select(((spring < 0.0) & (min_force <= 0.0)) | (sum >= lowest), sum, lowest);
-    r->adhesive_force = dem_select(min_force > 0.0, 0.0, r->adhesive_force);
+    r->fn = dem_select((clamped | none) & (force < 0.0), 0.0, force);
+    r->adhesive_force = dem_select(none, 0.0, r->adhesive_force);
 }
 
 /* A dashpot on the velocity of half a step ago. */
-DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, int attraction)
 {
-    dem_damping_row(r, eta, eta*r->vn, min_force);
+    dem_damping_row(r, eta, eta*r->vn, attraction);
 }
 
 /* A dashpot on the velocity in the middle of the kick, as far as this contact alone changes it:
@@ -83,12 +76,12 @@ DEM_MATH void dem_dashpot_row(struct dem_contact_row *r, double eta, double min_
 
    Of second order in the step, and stable with any eta. With the velocity before the kick an impact
    of 20 steps that returns 0.17 of its speed would return 6 % less, one that returns 0.05 20 %. */
-DEM_MATH void dem_centred_dashpot_row(struct dem_contact_row *r, double eta, double min_force)
+DEM_MATH void dem_centred_dashpot_row(struct dem_contact_row *r, double eta, int attraction)
 {
     const double mass = r->reduced_mass,
                  a = dem_select(mass > 0.0, 0.5*r->dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
 
-    dem_damping_row(r, eta, eta*(r->vn + a*r->fn)/(1.0 + a*eta), min_force);
+    dem_damping_row(r, eta, eta*(r->vn + a*r->fn)/(1.0 + a*eta), attraction);
 }
 
 /* ---- energy ------------------------------------------------------------------------------------------------------ */

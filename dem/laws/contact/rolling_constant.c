@@ -43,8 +43,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-DEM_CONTACT_LOOP(apply, dem_rolling_constant, dem_rolling_constant_row, dem_rolling_constant_columns, mx,
-                 my, mz)
+#define LAW dem_rolling_constant
+#define SETS DEM_SETS_MOMENT
+#include "laws/contact_loop.h"
 
 /* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

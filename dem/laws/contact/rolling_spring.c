@@ -72,8 +72,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-DEM_CONTACT_LOOP(apply, dem_rolling_spring, dem_rolling_spring_row, dem_rolling_spring_columns, mx, my,
-                 mz)
+#define LAW dem_rolling_spring
+#define SETS DEM_SETS_MOMENT
+#include "laws/contact_loop.h"
 
 DEM_KERNEL
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

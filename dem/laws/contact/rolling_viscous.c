@@ -62,7 +62,11 @@ DEM_MATH void row(const struct rolling_viscous *l, struct dem_contact_row *r, do
     r->mz -= drag*(r->wz - twist*hz);
 }
 
-DEM_CONTACT_LOOP(apply, rolling_viscous, row, 0, mx, my, mz)
+#define LAW rolling_viscous
+#define ROW row
+#define COLUMNS 0
+#define SETS DEM_SETS_MOMENT
+#include "laws/contact_loop.h"
 
 /* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

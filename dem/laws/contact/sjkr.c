@@ -41,7 +41,11 @@ DEM_MATH void row(const struct sjkr *l, struct dem_contact_row *r, double *histo
     r->fn -= scale*r->reduced_radius*dem_select(r->bond_replaces > 0.0, 0.0, r->overlap);
 }
 
-DEM_CONTACT_LOOP(apply, sjkr, row, 0, fn)
+#define LAW sjkr
+#define ROW row
+#define COLUMNS 0
+#define SETS DEM_SETS_FN
+#include "laws/contact_loop.h"
 
 /* energy needed to separate the surfaces; dissipated when a bond replaces the contact */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

@@ -130,11 +130,12 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     stokes->critical = dem_restitution_critical(pair->exponent);
     stokes->loss = dem_restitution_loss(stokes->restitution);
     stokes->more_mass = more_mass(stokes, pair);
-    stokes->min_force = dem_attraction_min_force(stokes->attraction);
     return DEM_OK;
 }
 
-DEM_CONTACT_LOOP(apply, dem_stokes, dem_stokes_row, dem_stokes_columns, eta, fn, adhesive_force)
+#define LAW dem_stokes
+#define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)

@@ -20,7 +20,6 @@ struct dem_stokes
     double critical;   /* 1    alpha at critical damping, derived */
     double loss;       /* 1    -ln e_max, derived */
     double more_mass;  /* 1    m* with added mass over m*, derived */
-    double min_force;  /* N    derived */
 };
 
 enum    /* v in St */
@@ -55,7 +54,7 @@ DEM_MATH void dem_stokes_row(const struct dem_stokes *l, struct dem_contact_row 
 
     impact_speed[0] = speed;
     dem_centred_dashpot_row(
-        r, l->critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*r->kn), l->min_force);
+        r, l->critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*r->kn), l->attraction);
 }
 
 #endif

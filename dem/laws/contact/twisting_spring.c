@@ -108,7 +108,11 @@ DEM_MATH void row(const struct twisting_spring *l, struct dem_contact_row *r, do
     r->mz += moment*r->nz;
 }
 
-DEM_CONTACT_LOOP(apply, twisting_spring, row, 1, mx, my, mz)
+#define LAW twisting_spring
+#define ROW row
+#define COLUMNS 1
+#define SETS DEM_SETS_MOMENT
+#include "laws/contact_loop.h"
 
 /* as dem_slider_energy of slider.h, for an angle */
 static void energy(const void *of, const struct dem_contact_batch *restrict b,

@@ -43,7 +43,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
         pair->a->name, pair->b->name);
     DEM_TRY(dem_parcels_scale(pair, "viscous", "coefficient", 2, &viscous->coefficient));
-    viscous->min_force = dem_attraction_min_force(viscous->attraction);
     return DEM_OK;
 }
 
@@ -55,7 +54,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;
 }
 
-DEM_CONTACT_LOOP(apply, dem_viscous, dem_viscous_row, dem_viscous_columns, eta, fn, adhesive_force)
+#define LAW dem_viscous
+#define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#include "laws/contact_loop.h"
 
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)

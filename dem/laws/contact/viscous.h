@@ -12,7 +12,6 @@ struct dem_viscous
 {
     double coefficient;
     int attraction;
-    double min_force;    /* N  derived */
 };
 
 enum
@@ -24,7 +23,7 @@ DEM_MATH void dem_viscous_row(const struct dem_viscous *l, struct dem_contact_ro
                               double *history)
 {
     (void)history;
-    dem_dashpot_row(r, l->coefficient*r->touching, l->min_force);
+    dem_dashpot_row(r, l->coefficient*r->touching, l->attraction);
 }
 
 #endif

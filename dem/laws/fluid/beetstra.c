@@ -55,7 +55,7 @@ static const struct dem_setting settings[] = {
 };
 
 /* F: creeping, then inertial part */
-static inline __attribute__((always_inline)) double normalised(double e, double re)
+DEM_MATH double normalised(double e, double re)
 {
     const double s = 1.0 - e, half = 0.5*(1.0 + 4.0*s), power = dem_pow(re, half);
     const double ten_to_3s = dem_exp(6.90775527898213705*s);    /* 10^(3 s): 3 ln 10 */
@@ -65,22 +65,17 @@ static inline __attribute__((always_inline)) double normalised(double e, double 
     return creeping + 0.413/(24.0*e*e)*above*(power/(power + ten_to_3s));
 }
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    const struct beetstra *const own = of;
-    const int around = own->mean == AROUND;
+    const struct beetstra *const own = r->settings;
+    const double mean =
+        dem_select(own->mean == AROUND, r->mean_diameter, own->mean_diameter);
+    const double y = dem_select(mean > 0.0, r->diameter/dem_select(mean > 0.0, mean, 1.0), 1.0);
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const double mean = dem_select(around, b->mean_diameter[c], own->mean_diameter);
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), d = 2.0*b->radius[c];
-        const double y = dem_select(mean > 0.0, d/dem_select(mean > 0.0, mean, 1.0), 1.0);
-        const double re = dem_drag_reynolds(b, c, e)/dem_select(y > 0.0, y, 1.0);
-
-        dem_drag_add(b, c, y*e*normalised(e, re));
-    }
+    return y*r->e*normalised(r->e, r->re/dem_select(y > 0.0, y, 1.0));
 }
+
+#include "laws/fluid/drag_loop.h"
 
 static unsigned extra_needs(const void *of)
 {

@@ -28,7 +28,7 @@
 #include "laws/batch.h"
 
 /* e, limited to 0.2 .. 1: values outside result from smoothing and round-off */
-static inline __attribute__((always_inline)) double dem_drag_void_fraction(double void_fraction)
+DEM_MATH double dem_drag_void_fraction(double void_fraction)
 {
     const double e = dem_select(void_fraction < 0.2, 0.2, void_fraction);
 
@@ -36,8 +36,7 @@ static inline __attribute__((always_inline)) double dem_drag_void_fraction(doubl
 }
 
 /* Re; 0 where the viscosity is 0 */
-static inline __attribute__((always_inline)) double dem_drag_reynolds(
-    const struct dem_body_batch *b, int c, double e)
+DEM_MATH double dem_drag_reynolds(const struct dem_body_batch *b, int c, double e)
 {
     const double x = b->ux[c] - b->vx[c], y = b->uy[c] - b->vy[c], z = b->uz[c] - b->vz[c];
     const double slip = sqrt(x*x + y*y + z*z);
@@ -51,26 +50,26 @@ static inline __attribute__((always_inline)) double dem_drag_reynolds(
 
 /* Schiller and Naumann (1933) below 1000, constant Cd = 0.44 above; a step of +0.4 % there, as
    published */
-static inline __attribute__((always_inline)) double dem_drag_single_sphere(double re)
+DEM_MATH double dem_drag_single_sphere(double re)
 {
     return dem_select(re < 1000.0, 1.0 + 0.15*dem_pow(re, 0.687), 0.44/24.0*re);
 }
 
 /* Voidage factor: Wen and Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100 */
-static inline __attribute__((always_inline)) double dem_drag_voidage_factor(double e)
+DEM_MATH double dem_drag_voidage_factor(double e)
 {
     return dem_pow(e, -2.65);
 }
 
 /* Ergun, Chem. Eng. Prog. 48 (1952) 89 */
-static inline __attribute__((always_inline)) double dem_drag_ergun(double e, double re)
+DEM_MATH double dem_drag_ergun(double e, double re)
 {
     return (150.0*(1.0 - e) + 1.75*re)/(18.0*e);
 }
 
 /* Cd Re/24 of a single sphere, Cd = (0.63 + 4.8/sqrt Re)^2: Dallavalle, Micromeritics (1948).
    0.96 at Re = 0, not 1 */
-static inline __attribute__((always_inline)) double dem_drag_dallavalle(double re)
+DEM_MATH double dem_drag_dallavalle(double re)
 {
     const double root = 0.63*sqrt(re) + 4.8;
 
@@ -79,24 +78,42 @@ static inline __attribute__((always_inline)) double dem_drag_dallavalle(double r
 
 /* exp(-(1.5 - log10 Re)^2/2): transition between creeping and inertial flow, 1 at Re = 32, 0 far
    from it */
-static inline __attribute__((always_inline)) double dem_drag_transition(double re)
+DEM_MATH double dem_drag_transition(double re)
 {
     const double from = 1.5 - dem_log10(dem_select(re > 1e-12, re, 1e-12));    /* e^-91 at 1e-12 */
 
     return dem_exp(-0.5*from*from);
 }
 
-/* adds the drag of row c: b and b u */
-static inline __attribute__((always_inline)) void dem_drag_add(struct dem_body_batch *b, int c,
-                            double g)
+/* what a drag law reads of a particle */
+struct dem_drag_row
 {
-    /* 3 pi mu d G */
-    const double coefficient = 9.42477796076937971*b->viscosity[c]*(2.0*b->radius[c])*g;
+    /* settings of the law */
+    const void *settings;
+    /* 1  void fraction */
+    double e;
+    /* 1  Re, superficial; the same without the void fraction, of a single sphere */
+    double re, single_re;
+    /* m  d; Sauter mean of the surrounding particles (with DEM_NEEDS_MEAN_DIAMETER) */
+    double diameter, mean_diameter;
+    /* the law's voidage factors */
+    double factor[DEM_VOIDAGE_FACTORS];
+};
 
-    b->b[c] += coefficient;
-    b->bux[c] += coefficient*b->ux[c];
-    b->buy[c] += coefficient*b->uy[c];
-    b->buz[c] += coefficient*b->uz[c];
+/* Columns that a law does not read cost nothing: the compiler drops the loads. */
+DEM_MATH struct dem_drag_row dem_drag_row_load(const void *settings,
+                                               const struct dem_body_batch *b, int c)
+{
+    const double e = dem_drag_void_fraction(b->void_fraction[c]);
+
+    return (struct dem_drag_row){
+        .settings = settings,
+        .e = e,
+        .re = dem_drag_reynolds(b, c, e),
+        .single_re = dem_drag_reynolds(b, c, 1.0),
+        .diameter = 2.0*b->radius[c],
+        .mean_diameter = b->mean_diameter[c],
+        .factor = {b->voidage_factor[0][c], b->voidage_factor[1][c]}};
 }
 
 #endif

@@ -20,17 +20,12 @@
 
 #include "laws/fluid/drag.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]);
-
-        dem_drag_add(b, c, dem_drag_ergun(e, dem_drag_reynolds(b, c, e)));
-    }
+    return dem_drag_ergun(r->e, r->re);
 }
+
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_ergun = {
     .name = "ergun",

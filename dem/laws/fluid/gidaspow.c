@@ -68,35 +68,25 @@ static inline double arctangent(double x)
 }
 
 /* e^-2.65 and phi */
-DEM_KERNEL
-static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
 {
-    const int smooth = ((const struct gidaspow *)of)->blend == SMOOTH;
-    const double pi = 3.14159265358979324;
+    const int smooth = ((const struct gidaspow *)settings)->blend == SMOOTH;
+    const double pi = 3.14159265358979324, s = 1.0 - e;
+    const double transition = 0.5 + arctangent(150.0*1.75*(0.2 - s))/pi;
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), s = 1.0 - e;
-        const double transition = 0.5 + arctangent(150.0*1.75*(0.2 - s))/pi;
-
-        b->voidage_factor[0][c] = dem_drag_voidage_factor(e);
-        b->voidage_factor[1][c] = dem_select(smooth, transition, dem_select(e < 0.8, 0.0, 1.0));
-    }
+    factor[0] = dem_drag_voidage_factor(e);
+    factor[1] = dem_select(smooth, transition, dem_select(e < 0.8, 0.0, 1.0));
 }
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), phi = b->voidage_factor[1][c];
-        const double re = dem_drag_reynolds(b, c, e);
-        const double wen_yu = b->voidage_factor[0][c]*dem_drag_single_sphere(re);
+    const double phi = r->factor[1], wen_yu = r->factor[0]*dem_drag_single_sphere(r->re);
 
-        dem_drag_add(b, c, (1.0 - phi)*dem_drag_ergun(e, re) + phi*wen_yu);
-    }
+    return (1.0 - phi)*dem_drag_ergun(r->e, r->re) + phi*wen_yu;
 }
+
+#define HAS_VOIDAGE_FACTORS
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_gidaspow = {
     .name = "gidaspow",

@@ -24,7 +24,7 @@
 
 /* F0; the denominator of the dilute form is positive for s = 0 to 0.8, with a minimum of 0.1 at
    0.65 */
-static inline __attribute__((always_inline)) double creeping(double e, double s)
+DEM_MATH double creeping(double e, double s)
 {
     const double logarithm = dem_log(dem_select(s > 0.0, s, 1.0));    /* s ln s is 0 at s = 0 */
     const double dilute = (1.0 + 3.0*sqrt(0.5*s) + 135.0/64.0*s*logarithm + 16.14*s)
@@ -34,37 +34,28 @@ static inline __attribute__((always_inline)) double creeping(double e, double s)
 }
 
 /* F3 */
-static inline __attribute__((always_inline)) double inertial(double e, double s)
+DEM_MATH double inertial(double e, double s)
 {
     return 0.0673 + 0.212*s + 0.0232/(e*e*e*e*e);
 }
 
 /* F0, and half of F3 */
-DEM_KERNEL
-static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), s = 1.0 - e;
+    const double s = 1.0 - e;
 
-        b->voidage_factor[0][c] = creeping(e, s);
-        b->voidage_factor[1][c] = 0.5*inertial(e, s);
-    }
+    (void)settings;
+    factor[0] = creeping(e, s);
+    factor[1] = 0.5*inertial(e, s);
 }
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]);
-        const double re = dem_drag_reynolds(b, c, e);
-
-        dem_drag_add(b, c, e*e*(b->voidage_factor[0][c] + b->voidage_factor[1][c]*re));
-    }
+    return r->e*r->e*(r->factor[0] + r->factor[1]*r->re);
 }
+
+#define HAS_VOIDAGE_FACTORS
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_koch_hill = {
     .name = "kochHill",

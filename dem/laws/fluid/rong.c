@@ -19,19 +19,15 @@
 
 #include "laws/fluid/drag.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]);
-        const double re = dem_drag_reynolds(b, c, e);
-        const double chi = 2.65*(e + 1.0) - (5.3 - 3.5*e)*e*e*dem_drag_transition(re);
+    const double e = r->e;
+    const double chi = 2.65*(e + 1.0) - (5.3 - 3.5*e)*e*e*dem_drag_transition(r->re);
 
-        dem_drag_add(b, c, dem_drag_dallavalle(re)*dem_pow(e, 1.0 - chi));
-    }
+    return dem_drag_dallavalle(r->re)*dem_pow(e, 1.0 - chi);
 }
+
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_rong = {
     .name = "rong",

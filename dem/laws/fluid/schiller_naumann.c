@@ -20,15 +20,12 @@
 
 #include "laws/fluid/drag.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        dem_drag_add(b, c, dem_drag_single_sphere(dem_drag_reynolds(b, c, 1.0)));
-    }
+    return dem_drag_single_sphere(r->single_re);
 }
+
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_schiller_naumann = {
     .name = "schillerNaumann",

@@ -27,33 +27,22 @@
 #include "laws/fluid/drag.h"
 
 /* e^2 F without the single-sphere term F1/e: the constant, and the factor of Re */
-DEM_KERNEL
-static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), s = 1.0 - e, s3 = s*s*s;
+    const double s = 1.0 - e, s3 = s*s*s;
 
-        b->voidage_factor[0][c] = 5.81*s/e + 0.48*dem_pow(s, 1.0/3.0)/(e*e);
-        b->voidage_factor[1][c] = s3*(0.95*e*e + 0.61*s3);
-    }
+    (void)settings;
+    factor[0] = 5.81*s/e + 0.48*dem_pow(s, 1.0/3.0)/(e*e);
+    factor[1] = s3*(0.95*e*e + 0.61*s3);
 }
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]),
-                     re = dem_drag_reynolds(b, c, e);
-
-        dem_drag_add(b, c,
-                     dem_drag_single_sphere(re)/e + b->voidage_factor[0][c] +
-                         b->voidage_factor[1][c]*re);
-    }
+    return dem_drag_single_sphere(r->re)/r->e + r->factor[0] + r->factor[1]*r->re;
 }
+
+#define HAS_VOIDAGE_FACTORS
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_tenneti = {
     .name = "tenneti",

@@ -56,10 +56,10 @@ static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
         const double fit = (128.4 + 12.9*sqrt(re))/(64.0*pi);
         const double t = pi*mu*d*d*d*dem_select(corrects & (fit > 1.0), fit, 1.0);
 
-        b->t[c] += t;
-        b->tx[c] += t*x;
-        b->ty[c] += t*y;
-        b->tz[c] += t*z;
+        b->spin_drag[c] += t;
+        b->spin_drag_wx[c] += t*x;
+        b->spin_drag_wy[c] += t*y;
+        b->spin_drag_wz[c] += t*z;
     }
 }
 

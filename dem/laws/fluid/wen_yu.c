@@ -19,29 +19,19 @@
 
 #include "laws/fluid/drag.h"
 
-DEM_KERNEL
-static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        b->voidage_factor[0][c] =
-            dem_drag_voidage_factor(dem_drag_void_fraction(b->void_fraction[c]));
-    }
+    (void)settings;
+    factor[0] = dem_drag_voidage_factor(e);
 }
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
 {
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]);
-
-        dem_drag_add(b, c,
-                     b->voidage_factor[0][c]*dem_drag_single_sphere(dem_drag_reynolds(b, c, e)));
-    }
+    return r->factor[0]*dem_drag_single_sphere(r->re);
 }
+
+#define HAS_VOIDAGE_FACTORS
+#include "laws/fluid/drag_loop.h"
 
 const struct dem_effect dem_wen_yu = {
     .name = "wenYu",

@@ -1,15 +1,8 @@
 /*
- * fused_kernel.h -- the loops of a fused kernel, made of the row functions of its laws.
+ * fused_kernel.h -- what the template fused_loop.h and the tables of kernels need.
  *
- * 1. Normal law, damping and the stiffness of friction, which shares a root with hertz.
- * 2. Trial forces of the springs of friction and rolling.
- * 3. The limits of these (slider.h).
- * 4. Forces and moments.
- *
- * In one long loop the latencies of square roots and divisions would add up; in short ones the
- * latencies of several rows overlap.
- *
- * History is cleared where partners are apart, as step/sweep_contacts.c does after an effect.
+ * To add a kernel, include the template with its laws and add a row to the table, as in
+ * fused_hertz.c; its laws need a header with the row function (laws/row.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -28,7 +21,6 @@
 #include "laws/contact/stokes.h"
 #include "laws/contact/viscous.h"
 #include "laws/effects.h"
-#include "laws/fused/combinations.h"
 #include "laws/fused/fused.h"
 
 /* clang warns of each loop that it leaves scalar; the results are the same */
@@ -44,7 +36,8 @@ struct dem_none
 
 enum
 {
-    dem_none_columns = 0
+    dem_none_columns = 0,
+    dem_none_sets = 0
 };
 
 DEM_MATH void dem_none_row(const struct dem_none *l, struct dem_contact_row *r, double *history)
@@ -68,93 +61,28 @@ DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
     r->eta = r->fn = r->adhesive_force = 0.0;
 }
 
-#define DEM_FUSED_NAME(normal, damping, friction, rolling, film)                               \
+/* the laws of a kernel by their place in LAWS, with a suffix */
+#define DEM_FUSED_NORMAL(suffix, ...) DEM_FUSED_NORMAL_(suffix, __VA_ARGS__)
+#define DEM_FUSED_DAMPING(suffix, ...) DEM_FUSED_DAMPING_(suffix, __VA_ARGS__)
+#define DEM_FUSED_FRICTION(suffix, ...) DEM_FUSED_FRICTION_(suffix, __VA_ARGS__)
+#define DEM_FUSED_ROLLING(suffix, ...) DEM_FUSED_ROLLING_(suffix, __VA_ARGS__)
+#define DEM_FUSED_FILM(suffix, ...) DEM_FUSED_FILM_(suffix, __VA_ARGS__)
+#define DEM_FUSED_NORMAL_(suffix, normal, damping, friction, rolling, film) dem_##normal##suffix
+#define DEM_FUSED_DAMPING_(suffix, normal, damping, friction, rolling, film) dem_##damping##suffix
+#define DEM_FUSED_FRICTION_(suffix, normal, damping, friction, rolling, film) dem_##friction##suffix
+#define DEM_FUSED_ROLLING_(suffix, normal, damping, friction, rolling, film) dem_##rolling##suffix
+#define DEM_FUSED_FILM_(suffix, normal, damping, friction, rolling, film) dem_##film##suffix
+
+/* the function that the template defines */
+#define DEM_FUSED_NAME(...) DEM_FUSED_NAME_(__VA_ARGS__)
+#define DEM_FUSED_NAME_(normal, damping, friction, rolling, film)                              \
     normal##_##damping##_##friction##_##rolling##_##film
 
-#define DEM_FUSED_LOOP(normal, damping, friction, rolling, film, ...)                          \
-    DEM_KERNEL                                                                                 \
-    static void DEM_FUSED_NAME(normal, damping, friction, rolling, film)(                      \
-        const void *const settings[DEM_FUSED_LAWS], struct dem_contact_batch *restrict b,      \
-        double *const *history)                                                                \
+/* a row of a table of kernels */
+#define DEM_FUSED_ROW(normal, damping, friction, rolling, film)                                \
     {                                                                                          \
-        enum                                                                                   \
-        {                                                                                      \
-            DAMPING = dem_##normal##_columns,                                                  \
-            FRICTION = DAMPING + dem_##damping##_columns,                                      \
-            ROLLING = FRICTION + dem_##friction##_columns,                                     \
-            FILM = ROLLING + dem_##rolling##_columns,                                          \
-            COLUMNS = FILM + dem_##film##_columns                                              \
-        };                                                                                     \
-        const struct dem_##normal a = *(const struct dem_##normal *)settings[0];               \
-        const struct dem_##damping d = *(const struct dem_##damping *)settings[1];             \
-        const struct dem_##friction f = *(const struct dem_##friction *)settings[2];           \
-        const struct dem_##rolling m = *(const struct dem_##rolling *)settings[3];             \
-        const struct dem_##film g = *(const struct dem_##film *)settings[4];                   \
-        const double inverse_dt = dem_contact_batch_inverse_dt(b);                             \
-        struct dem_slider_columns slips, rolls;                                                \
-                                                                                               \
-        dem_##normal##_before(&a, b);                                                          \
-        DEM_INDEPENDENT_ROWS                                                                   \
-        for (int c = 0; c < b->n; c++)                                                         \
-        {                                                                                      \
-            struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
-            double h[DEM_LAW_HISTORY];                                                         \
-                                                                                               \
-            dem_history_load(history, FRICTION, c, h);                                         \
-            dem_history_load(history + FILM, COLUMNS - FILM, c, h + FILM);                     \
-            dem_fused_begin(&r);                                                               \
-            dem_##normal##_row(&a, &r, h);                                                     \
-            dem_##damping##_row(&d, &r, h + DAMPING);                                          \
-            dem_##film##_adhesion_row(&g, &r, h + FILM);                                       \
-            r.kt = dem_##friction##_stiffness(&f, &r);                                         \
-            dem_history_clear_apart(&r, FRICTION, h);                                          \
-            dem_history_store(h, FRICTION, c, history);                                        \
-            DEM_STORE(kn, kt, eta, fn, adhesive_force, scratch)                                \
-        }                                                                                      \
-        DEM_INDEPENDENT_ROWS                                                                   \
-        for (int c = 0; c < b->n; c++)                                                         \
-        {                                                                                      \
-            struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
-            double h[DEM_LAW_HISTORY];                                                         \
-                                                                                               \
-            dem_history_load(history + FRICTION, FILM - FRICTION, c, h + FRICTION);            \
-            r.mx = r.my = r.mz = 0.0;                                                          \
-            dem_slider_begin(&r, dem_friction_slider(&f.common, &r, h + FRICTION), &slips, c,  \
-                             h + FRICTION);                                                    \
-            dem_##rolling##_begin(&m, &r, &rolls, c, h + ROLLING);                             \
-            dem_history_store(h + FRICTION, FILM - FRICTION, c, history + FRICTION);           \
-            DEM_STORE(mx, my, mz)                                                              \
-        }                                                                                      \
-        dem_slider_limit_forces(&slips, b->n);                                                 \
-        dem_##rolling##_limit(&rolls, b->n);                                                   \
-        DEM_INDEPENDENT_ROWS                                                                   \
-        for (int c = 0; c < b->n; c++)                                                         \
-        {                                                                                      \
-            struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);                 \
-            double h[DEM_LAW_HISTORY];                                                         \
-                                                                                               \
-            dem_history_load(history + FRICTION, COLUMNS - FRICTION, c, h + FRICTION);         \
-            r.fx = r.fy = r.fz = 0.0;                                                          \
-            dem_slider_end(&slips, c, (double *[3]){&r.fx, &r.fy, &r.fz}, h + FRICTION);       \
-            dem_##rolling##_end(&rolls, c, &r, h + ROLLING);                                   \
-            dem_history_clear_apart(&r, FILM - FRICTION, h + FRICTION);                        \
-            dem_##film##_row(&g, &r, h + FILM);                                                \
-            dem_history_store(h + FRICTION, COLUMNS - FRICTION, c, history + FRICTION);        \
-            DEM_STORE(fx, fy, fz, __VA_ARGS__)                                                 \
-        }                                                                                      \
+        {&dem_##normal, &dem_##damping, &dem_##friction, &dem_##rolling, &dem_##film},         \
+            DEM_FUSED_NAME_(normal, damping, friction, rolling, film)                          \
     }
-
-/* kernels without and with a film */
-#define DEM_FUSED_DEFINE(normal, damping, friction, rolling)                                   \
-    DEM_FUSED_LOOP(normal, damping, friction, rolling, none, mx, my, mz)
-#define DEM_FUSED_DEFINE_FILM(normal, damping, friction, rolling, film)                        \
-    DEM_FUSED_LOOP(normal, damping, friction, rolling, film, mx, my, mz, fn, stored, lost)
-
-/* rows of a table of kernels */
-#define DEM_FUSED_ROW(normal, damping, friction, rolling)                                      \
-    DEM_FUSED_ROW_FILM(normal, damping, friction, rolling, none)
-#define DEM_FUSED_ROW_FILM(normal, damping, friction, rolling, film)                           \
-    {{&dem_##normal, &dem_##damping, &dem_##friction, &dem_##rolling, &dem_##film},            \
-     DEM_FUSED_NAME(normal, damping, friction, rolling, film)},
 
 #endif

@@ -18,22 +18,15 @@
 
 #include "laws/heat/heat_transfer.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double nusselt(const struct dem_drag_row *r, double prandtl_root)
 {
-    const struct dem_heat_transfer t = dem_heat_transfer_of(b);
+    const double e = r->e;
+    const double film = (7.0 - 10.0*e + 5.0*e*e)*(1.0 + 0.7*dem_pow(r->re, 0.2)*prandtl_root);
 
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]);
-        const double re = dem_drag_reynolds(b, c, e), root = dem_heat_prandtl_root(b, &t, c);
-        const double film = (7.0 - 10.0*e + 5.0*e*e)*(1.0 + 0.7*dem_pow(re, 0.2)*root);
-
-        dem_heat_transfer_add(b, &t, c,
-                              film + (1.33 - 2.4*e + 1.2*e*e)*dem_pow(re, 0.7)*root);
-    }
+    return film + (1.33 - 2.4*e + 1.2*e*e)*dem_pow(r->re, 0.7)*prandtl_root;
 }
+
+#include "laws/heat/heat_transfer_loop.h"
 
 const struct dem_effect dem_gunn = {
     .name = "gunn",

@@ -39,23 +39,13 @@ static inline struct dem_heat_transfer dem_heat_transfer_of(const struct dem_bod
 }
 
 /* Pr^(1/3); 0 where there is no conductivity */
-static inline __attribute__((always_inline)) double dem_heat_prandtl_root(
-    const struct dem_body_batch *b, const struct dem_heat_transfer *t, int c)
+DEM_MATH double dem_heat_prandtl_root(const struct dem_body_batch *b,
+                                      const struct dem_heat_transfer *t, int c)
 {
     const double k = t->conductivity[c], conducts = dem_select(k > 0.0, 1.0, 0.0);
 
     return dem_pow(conducts*b->viscosity[c]*t->heat_capacity[c]/dem_select(k > 0.0, k, 1.0),
                    1.0/3.0);
-}
-
-/* adds the heat transfer of row c: B = pi d k_f Nu and B T_f */
-static inline __attribute__((always_inline)) void dem_heat_transfer_add(
-    const struct dem_body_batch *b, const struct dem_heat_transfer *t, int c, double nusselt)
-{
-    const double B = 3.14159265358979324*(2.0*b->radius[c])*t->conductivity[c]*nusselt;
-
-    t->coefficient[c] += B;
-    t->to_target[c] += B*t->fluid_temperature[c];
 }
 
 #endif

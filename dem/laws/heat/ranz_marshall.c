@@ -18,19 +18,12 @@
 
 #include "laws/heat/heat_transfer.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
+DEM_MATH double nusselt(const struct dem_drag_row *r, double prandtl_root)
 {
-    const struct dem_heat_transfer t = dem_heat_transfer_of(b);
-
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        dem_heat_transfer_add(b, &t, c,
-                              2.0 + 0.6*sqrt(dem_drag_reynolds(b, c, 1.0))*
-                                        dem_heat_prandtl_root(b, &t, c));
-    }
+    return 2.0 + 0.6*sqrt(r->single_re)*prandtl_root;
 }
+
+#include "laws/heat/heat_transfer_loop.h"
 
 const struct dem_effect dem_ranz_marshall = {
     .name = "ranzMarshall",

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    testTransfer -- tests of demTransfer on the mesh of the case; `run` says what
+    testTransfer -- tests of demTransfer on the mesh of the case; test.py says what
     they prove.
 
     Prints "ok - claim" or "not ok - claim", with the measured value. Particles are
@@ -87,6 +87,48 @@ static void testLimits()
 }
 
 
+//- The weights of all kernels
+static void testKernels(const fvMesh& mesh, const kind& is, const pointField& all)
+{
+    // long tests get a sixth of the particles
+    pointField few((all.size() + 5)/6);
+    forAll(few, k)
+    {
+        few[k] = all[6*k];
+    }
+    pointField fewest((few.size() + 2)/3);
+    forAll(fewest, k)
+    {
+        fewest[k] = few[3*k];
+    }
+    testKernel(mesh, "particleCentre", kernel("particleCentre", "linear", 0), all);
+    testKernel(mesh, "linear", kernel("linear", "linear", 0), all);
+    testKernel(mesh, "divided", kernel("divided", "linear", 0), few);
+    testKernel(mesh, "divided, spheres of 5 mm", kernel("divided", "linear", 0), few, 5e-3);
+    testKernel(mesh, "gaussian 3 d", kernel("gaussian", "linear", 3), few);
+    testKernel(mesh, "diffusion 3 d", kernel("diffusion", "linear", 3), all);
+    testKernel(mesh, "diffusion 6 d, three cells wide", kernel("diffusion", "linear", 6), all);
+    testKernel(mesh, "diffusion from centres", kernel("diffusion", "particleCentre", 3), all);
+    testKernel(mesh, "diffusion from divided", kernel("diffusion", "divided", 3), few);
+    testContinuity(mesh, "linear", kernel("linear", "linear", 0), seams(mesh));
+    testContinuity(mesh, "divided", kernel("divided", "linear", 0), few);
+    testContinuity(mesh, "gaussian 3 d", kernel("gaussian", "linear", 3), fewest);
+    testEven(mesh, is.planar);
+    testBall(mesh);
+    testRelief(mesh, kernel("linear", "linear", 0), all, 0.1);
+
+    if (!is.corner)
+    {
+        testLinear(mesh, "linear", kernel("linear", "linear", 0), is.thin);
+        if (is.orthogonal)
+        {
+            testLinear(mesh, "diffusion d", kernel("diffusion", "linear", 1), is.thin, true);
+        }
+        testSmoother(mesh);
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addBoolOption("planar", "all faces are planar");
@@ -102,6 +144,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("own", "only: kernel box of docs/kernels.md, on cubes of 2 mm");
     argList::addBoolOption("boundary", "only: the nearest faces of the boundary");
     argList::addBoolOption("outside", "only: put a particle outside the mesh");
+    argList::addBoolOption("same", "only: what a serial run has not shown, and that results agree with it");
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
     const fvMesh mesh
@@ -174,41 +217,9 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    // long tests get a sixth of the particles
-    pointField few((all.size() + 5)/6);
-    forAll(few, k)
+    if (!args.found("same"))
     {
-        few[k] = all[6*k];
-    }
-    pointField fewest((few.size() + 2)/3);
-    forAll(fewest, k)
-    {
-        fewest[k] = few[3*k];
-    }
-    testKernel(mesh, "particleCentre", kernel("particleCentre", "linear", 0), all);
-    testKernel(mesh, "linear", kernel("linear", "linear", 0), all);
-    testKernel(mesh, "divided", kernel("divided", "linear", 0), few);
-    testKernel(mesh, "divided, spheres of 5 mm", kernel("divided", "linear", 0), few, 5e-3);
-    testKernel(mesh, "gaussian 3 d", kernel("gaussian", "linear", 3), few);
-    testKernel(mesh, "diffusion 3 d", kernel("diffusion", "linear", 3), all);
-    testKernel(mesh, "diffusion 6 d, three cells wide", kernel("diffusion", "linear", 6), all);
-    testKernel(mesh, "diffusion from centres", kernel("diffusion", "particleCentre", 3), all);
-    testKernel(mesh, "diffusion from divided", kernel("diffusion", "divided", 3), few);
-    testContinuity(mesh, "linear", kernel("linear", "linear", 0), seams(mesh));
-    testContinuity(mesh, "divided", kernel("divided", "linear", 0), few);
-    testContinuity(mesh, "gaussian 3 d", kernel("gaussian", "linear", 3), fewest);
-    testEven(mesh, is.planar);
-    testBall(mesh);
-    testRelief(mesh, kernel("linear", "linear", 0), all, 0.1);
-
-    if (!is.corner)
-    {
-        testLinear(mesh, "linear", kernel("linear", "linear", 0), is.thin);
-        if (is.orthogonal)
-        {
-            testLinear(mesh, "diffusion d", kernel("diffusion", "linear", 1), is.thin, true);
-        }
-        testSmoother(mesh);
+        testKernels(mesh, is, all);
     }
     testPlaces(mesh, is);
     testLargeIds(mesh, is);

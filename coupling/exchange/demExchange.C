@@ -1,0 +1,367 @@
+/*---------------------------------------------------------------------------*\
+    demExchange.C -- the exchange of momentum between fluid and particles.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demExchange.H"
+#include "demCheck.H"
+#include "demColumns.H"
+#include "demFiles.H"
+#include "demSelfCheck.H"
+#include "demSnapshot.H"
+#include "demTurbulenceProduction.H"
+
+Foam::demUnderRelaxation Foam::demExchange::underRelaxation() const
+{
+    return demUnderRelaxation
+    (
+        fluid_,
+        volumes(view_),
+        particles_.gravity(),
+        particles_.window(),
+        scheme_.set() == demCouplingScheme::II
+    );
+}
+
+
+// Logged once, if the particles would oscillate without it, and again whenever it falls
+void Foam::demExchange::reportRelaxation()
+{
+    const scalar factor =
+        returnReduce(scalar(dem_fluid_under_relax(particles_.core())), minOp<scalar>());
+
+    if (factor < 0.9*toldRelaxation_)
+    {
+        toldRelaxation_ = factor;
+        Info<< "Suna: under-relaxation of the pressure gradient and of Du/Dt down"
+            << " to " << factor << " at light particles in a dense suspension,"
+            << " which would oscillate from step to step; they feel a change of"
+            << " it " << 1/factor << " steps late" << endl;
+    }
+}
+
+
+// Y; `reaction` receives the explicit part of an under-relaxed gradient
+void Foam::demExchange::depositPressureResponse(vectorField& reaction)
+{
+    scalarField volumeResponse(volumes(view_));     // q_i V_i
+    forAll(volumeResponse, i)
+    {
+        volumeResponse[i] *= fluid_.transmitted_fraction[i];
+    }
+    if (demUnderRelaxation::active(fluid_))
+    {
+        reportRelaxation();
+        const demUnderRelaxation relaxation(underRelaxation());
+        relaxation.response(volumeResponse);
+        reaction += relaxation.explicitForce(transfer_.sample(gradP_)());
+    }
+
+    transfer_.deposit(volumeResponse, pressureResponse_.ref());
+    pressureResponse_.correctBoundaryConditions();
+}
+
+
+// For the fvOption demTurbulenceSource
+void Foam::demExchange::depositTurbulence() const
+{
+    if
+    (
+        volScalarField* production = particles_.mesh().getObjectPtr<volScalarField>
+        (
+            demTurbulenceProduction::name()
+        )
+    )
+    {
+        transfer_.deposit
+        (
+            demTurbulenceProduction::ofParticles(fluid_, particles_.window())(),
+            production->ref()
+        );
+        production->correctBoundaryConditions();
+    }
+}
+
+
+Foam::demExchange::demExchange
+(
+    demParticles& particles,
+    const demVoidFraction& volume,
+    const bool volumeAveraged
+)
+:
+    particles_(particles),
+    volume_(volume),
+    view_(particles.view()),
+    fluid_(particles.fluid()),
+    transfer_(particles.transfer()),
+    scheme_(particles.dict(), volumeAveraged),
+    quantities_(particles),
+    force_
+    (
+        demFieldAt(particles.mesh(), "dem:force"),
+        particles.mesh(),
+        dimensionedVector(dimForce/dimVolume, Zero)
+    ),
+    drag_
+    (
+        demFieldAt(particles.mesh(), "dem:drag"),
+        particles.mesh(),
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    pressureResponse_
+    (
+        demFieldAt(particles.mesh(), "dem:pressureResponse"),
+        particles.mesh(),
+        dimensionedScalar(dimless, Zero)
+    ),
+    gradP_
+    (
+        demFieldAt(particles.mesh(), "dem:gradP"),
+        particles.mesh(),
+        dimensionedVector(dimPressure/dimLength, Zero)
+    ),
+    relaxationRate_(demSnapshot::readNumber(particles.mesh().time(), "relaxationRate")),
+    withoutFactors_(false),
+    toldRelaxation_(0.5)
+{}
+
+
+void Foam::demExchange::prepare()
+{
+    if (particles_.volumeAveraged() && !scheme_.wholeDrag())
+    {
+        dem_case_fluid_displaced(particles_.described(), particles_.fluidDensity());
+    }
+}
+
+
+void Foam::demExchange::begin()
+{
+    withoutFactors_ =
+        demSnapshot::exists(particles_.mesh().time())
+     && demUnderRelaxation::withoutFactors(fluid_);
+
+    if (particles_.volumeAveraged() && particles_.needsFluid())
+    {
+        scheme_.checkEffects();
+        dem_fluid_whole_drag(particles_.core(), scheme_.wholeDrag());
+    }
+}
+
+
+void Foam::demExchange::toParticles
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volScalarField& rho,
+    const volScalarField& mu
+)
+{
+    gradP_ = gradP;
+    if (!particles_.needsFluid())
+    {
+        return;
+    }
+
+    toColumn(transfer_.sample(U)(), fluid_.velocity);
+    toColumn(particles_.sample(rho)(), fluid_.density);
+    if (scheme_.wholeDrag())
+    {
+        const vectorField hydrostatic(particles_.sample(rho)()*particles_.gravity());
+        toColumn(hydrostatic, fluid_.pressure_gradient);
+    }
+    else if (demUnderRelaxation::active(fluid_))
+    {
+        underRelaxation().begin(transfer_.sample(gradP)(), withoutFactors_);
+    }
+    else
+    {
+        toColumn(transfer_.sample(gradP)(), fluid_.pressure_gradient);
+    }
+    toColumn(transfer_.sample(volume_.field())(), fluid_.void_fraction);
+    toColumn(particles_.sample(mu)(), fluid_.viscosity);
+    quantities_.set(U, mu);
+
+    // Slip factor
+    for (size_t i = 0; i < fluid_.n; i++)
+    {
+        fluid_.slip_factor[i] =
+            particles_.volumeAveraged()
+          ? dem_fluid_slip_factor(particles_.core(), fluid_.void_fraction[i])
+          : 1;
+    }
+}
+
+
+void Foam::demExchange::toFluid()
+{
+    withoutFactors_ = false;
+
+    if (particles_.react())
+    {
+        scalarField response(view_.n);
+        vectorField reaction(view_.n);
+
+        demCheck
+        (
+            dem_fluid_reaction
+            (
+                particles_.core(),
+                particles_.window(),
+                response.begin(),
+                reinterpret_cast<scalar*>(reaction.begin())
+            )
+        );
+
+        if (particles_.volumeAveraged() && !scheme_.wholeDrag())
+        {
+            depositPressureResponse(reaction);
+        }
+        depositTurbulence();
+
+        transfer_.deposit(response, drag_.ref());
+        transfer_.deposit(reaction, force_.ref());
+        drag_.correctBoundaryConditions();
+        force_.correctBoundaryConditions();
+    }
+
+    relaxationRate_ =
+        returnReduce(dem_fluid_relaxation(particles_.core()), maxOp<scalar>());
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::demExchange::onFluid
+(
+    const volVectorField& U,
+    const volVectorField& gradP
+) const
+{
+    return force_ - drag_*U - pressureResponse_*(gradP - gradP_);
+}
+
+
+// With the pressure gradient that the particles feel in the next step, so that
+// fluid and particles respond to the same change of it
+void Foam::demExchange::correct
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volVectorField& onFluid
+)
+{
+    const bool relaxed = demUnderRelaxation::active(fluid_);
+    const vectorField velocity(transfer_.sample(U));
+    vectorField gradient(view_.n, Zero);    // its change at the particles
+    vectorField reached(relaxed ? view_.n : 0);
+
+    if (relaxed)
+    {
+        reached = transfer_.sample(gradP);
+        gradient = underRelaxation().next(reached);
+        forAll(gradient, i)
+        {
+            gradient[i] -= vectorAt(fluid_.pressure_gradient, i);
+        }
+    }
+    else if (!scheme_.wholeDrag())
+    {
+        gradient = transfer_.sample(volVectorField(gradP - gradP_));
+    }
+
+    Info<< "Suna: exchange error "
+        << balance_.exchange
+           (
+               particles_.window(),
+               onFluid,
+               fluid_,
+               velocity,
+               particles_.volumeAveraged() ? volumes(view_)*gradient : 0*gradient,
+               transfer_.fraction(),
+               transfer_.toFullCircle()
+           )
+        << endl;
+    demSelfCheck::momentum(balance_.ofLargestTerm());
+
+    forAll(gradient, i)
+    {
+        gradient[i] += vectorAt(fluid_.pressure_gradient, i);
+    }
+
+    particles_.refresh();
+    demCheck
+    (
+        dem_fluid_correct
+        (
+            particles_.core(),
+            reinterpret_cast<const double*>(velocity.cdata()),
+            reinterpret_cast<const double*>(gradient.cdata())
+        )
+    );
+    if (relaxed)
+    {
+        demUnderRelaxation relaxation(underRelaxation());
+        relaxation.finish(reached);
+        if (fluid_.acceleration)
+        {
+            relaxation.relaxAcceleration(quantities_.sampleAcceleration()());
+        }
+    }
+}
+
+
+Foam::vector Foam::demExchange::pressureImpulse(const volVectorField& gradP) const
+{
+    if (scheme_.set() != demCouplingScheme::II)
+    {
+        return Zero;
+    }
+    const vectorField dynamic
+    (
+        transfer_.sample(gradP)() - particles_.fluidDensity()*particles_.gravity()
+    );
+    return -particles_.window()*gSum((volumes(view_)*dynamic)());
+}
+
+
+Foam::vector Foam::demExchange::owedPressureImpulse(const vector& last) const
+{
+    return
+        scheme_.set() == demCouplingScheme::II && demUnderRelaxation::active(fluid_)
+      ? underRelaxation().owed()
+      : last;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::demExchange::pressureReaction() const
+{
+    tmp<volVectorField> treaction
+    (
+        new volVectorField("dem:pressureReaction", 0*force_)
+    );
+
+    const bool felt =
+        !particles_.dict().effectWith(DEM_TRAIT_PRESSURE_GRADIENT).empty();
+
+    if (particles_.react() && felt)
+    {
+        const scalarField V(volumes(view_));
+        vectorField force(view_.n);
+
+        forAll(force, i)
+        {
+            force[i] =
+                V[i]
+               *(
+                    vectorAt(fluid_.pressure_gradient, i)
+                  - fluid_.density[i]*particles_.gravity()
+                );
+        }
+
+        transfer_.deposit(force, treaction.ref().ref());
+        treaction.ref().correctBoundaryConditions();
+    }
+
+    return treaction;
+}

@@ -1,0 +1,200 @@
+/*---------------------------------------------------------------------------*\
+    demParticleBudget.C -- the budget of the particles and of the exchange.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demParticleBudget.H"
+#include "demCheck.H"
+#include "demColumns.H"
+
+// Impulse of the particles on all walls since the record reset it [N s]
+Foam::vector Foam::demParticleBudget::wallImpulse() const
+{
+    ::dem* d = particles_.core();
+    vector sum(Zero);
+
+    for (int wall = 0; wall < dem_wall_count(d); wall++)
+    {
+        double impulse[3], twist[3];
+        demCheck(dem_wall_impulse(d, wall, impulse, twist));
+        sum += vector(impulse[0], impulse[1], impulse[2]);
+    }
+    return sum;
+}
+
+
+Foam::demParticleBudget::demParticleBudget
+(
+    demParticles& particles,
+    const demExchange& exchange
+)
+:
+    particles_(particles),
+    exchange_(exchange),
+    view_(particles.view()),
+    fluid_(particles.fluid()),
+    budget_(particles.mesh().time(), particles.dict().coupling()),
+    toFluid_(Zero),
+    onWalls_(Zero)
+{}
+
+
+void Foam::demParticleBudget::begin(const bool volumeAveraged)
+{
+    budget_.watch(particles_.core());
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    string reason;
+
+    if (!volumeAveraged)
+    {
+        reason =
+            "the equations of this solver have no void fraction; take it out, or take"
+            " demPimpleFoam. The log has the momentum of fluid and particles in each"
+            " step, and the heat where it is exchanged";
+    }
+    else if (!particles_.twoWay())
+    {
+        reason =
+            "twoWay is no, so the fluid receives nothing from the particles; take it"
+            " out, or give twoWay yes";
+    }
+    else if (!particles_.needsFluid())
+    {
+        reason =
+            "no effect of the fluid is in effects, so nothing is exchanged; take it out,"
+            " or add a drag law, for example gidaspow {}";
+    }
+
+    if (!reason.empty())
+    {
+        FatalIOErrorInFunction(particles_.dict().coupling())
+            << "coupling/record/budget is yes, but " << reason.c_str()
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::demParticleBudget::addParticles()
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    const vector& g = particles_.gravity();
+    const scalar T = particles_.window();
+    const scalarField V(volumes(view_));
+    vector weight(Zero);
+    vector held(Zero);
+    scalar height = 0;
+
+    forAll(V, i)
+    {
+        const scalar m = *dem_at(view_.mass, view_.stride, i);
+        const double* x = dem_at(view_.position, view_.stride, i);
+        const uint16_t flags =
+            *reinterpret_cast<const uint16_t*>
+            (
+                reinterpret_cast<const char*>(view_.flags) + view_.stride*i
+            );
+        const vector displaced
+        (
+            particles_.react() ? fluid_.density[i]*V[i]*g : vector::zero
+        );
+
+        if (flags & 1)
+        {
+            if (particles_.react())
+            {
+                held +=
+                    impulse(fluid_, i) + vectorAt(fluid_.carried_over_impulse, i)
+                  - T*(V[i]*vectorAt(fluid_.pressure_gradient, i) - displaced);
+            }
+        }
+        else
+        {
+            const vector w(m*g - displaced);
+            weight += T*w;
+            height -= w & vector(x[0], x[1], x[2]);
+        }
+    }
+
+    reduce(weight, sumOp<vector>());
+    reduce(held, sumOp<vector>());
+    reduce(height, sumOp<scalar>());
+
+    budget_.gain("weight", weight);
+    budget_.gain("held", -held);
+    budget_.gain("walls", onWalls_ - wallImpulse());
+    budget_.state(demBudget::MASS, "particles", particles_.totals().mass);
+    budget_.state(demBudget::ENERGY, "particles", particles_.totals().kinetic);
+    budget_.state(demBudget::ENERGY, "height", height);
+}
+
+
+void Foam::demParticleBudget::readWalls()
+{
+    if (budget_.on())
+    {
+        onWalls_ = wallImpulse();
+    }
+}
+
+
+void Foam::demParticleBudget::addExchange
+(
+    const volVectorField& U,
+    const volVectorField& onFluid
+)
+{
+    if (!budget_.on())
+    {
+        return;
+    }
+
+    const scalar T = particles_.window();
+    const scalarField& V = particles_.mesh().V();
+    const vectorField& f = onFluid;
+    const vectorField& u = U;
+    scalar work = 0;
+
+    for (size_t i = 0; i < view_.n; i++)
+    {
+        work += impulse(fluid_, i) & velocity(view_, i);
+    }
+
+    toFluid_ = T*gSum((V*f)());
+    budget_.gain
+    (
+        demBudget::ENERGY,
+        "drag",
+        T*gSum((V*(f & u))()) + returnReduce(work, sumOp<scalar>())
+    );
+
+    if (exchange_.scheme().set() == demCouplingScheme::I)
+    {
+        const vectorField p(exchange_.pressureReaction());
+        toFluid_ += T*gSum((V*p)());
+    }
+}
+
+
+void Foam::demParticleBudget::setMomentum
+(
+    const vector& fluid,
+    const vector& particles,
+    const vector& owed
+)
+{
+    if (budget_.on())
+    {
+        budget_.state("fluid", fluid);
+        budget_.state("particles", particles);
+        budget_.state("owed", owed);
+    }
+}

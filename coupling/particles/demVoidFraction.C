@@ -1,0 +1,124 @@
+/*---------------------------------------------------------------------------*\
+    demVoidFraction.C -- void fraction from the volumes of the particles, and its rate.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demVoidFraction.H"
+#include "demSelfCheck.H"
+#include "demSnapshot.H"
+
+Foam::demVoidFraction::demVoidFraction(demParticles& particles)
+:
+    mesh_(particles.mesh()),
+    particles_(particles),
+    view_(particles.view()),
+    fluid_(particles.fluid()),
+    transfer_(particles.transfer()),
+    inletsOutlets_(particles.inletsOutlets()),
+    voidFraction_
+    (
+        demFieldAt(mesh_, "voidFraction", IOobject::READ_IF_PRESENT),
+        mesh_,
+        dimensionedScalar("clear", dimless, 1),
+        demPassedWalls::types(mesh_)
+    ),
+    dsdt_
+    (
+        demFieldAt(mesh_, "dem:dsdt"),
+        mesh_,
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
+    solidFlux_
+    (
+        demFieldAt(mesh_, "dem:solidFlux"),
+        mesh_,
+        dimensionedVector(dimVelocity, Zero),
+        wordList(mesh_.boundary().size(), "zeroGradient")
+    ),
+    clear_
+    (
+        demFieldAt(mesh_, "dem:clear"),
+        mesh_,
+        dimensionedScalar("clear", dimless, 1)
+    ),
+    deposited_(0),
+    volumeError_(0),
+    changeRate_(demSnapshot::readNumber(mesh_.time(), "changeRate"))
+{
+    if (particles_.volumeAveraged())
+    {
+        passedWalls_.reset(new demPassedWalls(voidFraction_));
+    }
+}
+
+
+void Foam::demVoidFraction::begin()
+{
+    const scalar changeRate = changeRate_;      // of the step before a restart
+
+    deposit();
+    dsdt_ = dimensionedScalar(dsdt_.dimensions(), Zero);
+    changeRate_ = changeRate;
+}
+
+
+void Foam::demVoidFraction::passInletsOutlets(const volVectorField& U)
+{
+    if (passedWalls_.valid())
+    {
+        passedWalls_().check(U);
+    }
+    if (particles_.volumeAveraged() && inletsOutlets_.active())
+    {
+        passWithVolumes(U);
+    }
+    else if (particles_.passInletsOutlets(U))
+    {
+        particles_.locateInserted();
+    }
+}
+
+
+void Foam::demVoidFraction::deposit()
+{
+    scalarField old(voidFraction_.primitiveField());
+
+    volScalarField::Internal solid
+    (
+        IOobject("solid", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    scalarField behind;
+    const scalarField V(reducedVolumes(behind));
+    if (throughPatches_.size())
+    {
+        throughPatches_ = transfer_.fraction()*(throughPatches_ - behind);
+    }
+    deposited_ = transfer_.fraction()*gSum(V);
+    transfer_.depositVolume(V, solid);
+
+    voidFraction_.primitiveFieldRef() = 1 - solid.field();
+    voidFraction_.correctBoundaryConditions();
+
+    if (particles_.twoWay())
+    {
+        // From the void fractions, so that it agrees with their ddt. In a moving mesh
+        // with the cell's volumes before and after, divided by the new one
+        if (mesh_.moving())
+        {
+            old *= mesh_.V0().field()/mesh_.V().field();
+        }
+        dsdt_.primitiveFieldRef() =
+            (old - voidFraction_.primitiveField())/mesh_.time().deltaTValue();
+    }
+    if (particles_.volumeAveraged() && particles_.window() > 0)
+    {
+        depositFlux(V);
+    }
+    changeRate_ = max(gMax(dsdt_.primitiveField()), -gMin(dsdt_.primitiveField()));
+    volumeError_ =
+        mag(gSum((mesh_.V().field()*solid.field())()) - deposited_)/(deposited_ + VSMALL);
+    demSelfCheck::volume(volumeError_);
+}

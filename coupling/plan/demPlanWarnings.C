@@ -1,0 +1,205 @@
+/*---------------------------------------------------------------------------*\
+    demPlanWarnings.C -- reports likely mistakes before the first step.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demPlan.H"
+#include "demFiles.H"
+#include "demCheck.H"
+#include "demFluid.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "wallFvPatch.H"
+#include <sstream>
+
+namespace Foam
+{
+
+static bool isCalledInlet(const word& name)
+{
+    return name.find("inlet") != string::npos || name.find("Inlet") != string::npos;
+}
+
+
+// Largest speed of the fluid on the patches where it is given. Collective.
+static scalar patchSpeed(const volVectorField& U)
+{
+    scalar fastest = 0;
+    for (const fvPatchVectorField& Up : U.boundaryField())
+    {
+        if (!Up.coupled() && Up.fixesValue() && Up.size())
+        {
+            fastest = max(fastest, max(mag(Up)()));
+        }
+    }
+    return returnReduce(fastest, maxOp<scalar>());
+}
+
+// Is the library of a decomposition method a stand-in that only says that it is one?
+// OpenFOAM has these in a folder `dummy`, the last of the library path.
+static bool isDummy(const word& method)
+{
+    const fileName library("lib" + method + "Decomp.so");
+
+    std::istringstream folders(getEnv("LD_LIBRARY_PATH"));
+    std::string folder;
+
+    while (std::getline(folders, folder, ':'))
+    {
+        if (isFile(fileName(folder)/library, false))
+        {
+            return fileName(folder).name() == "dummy";
+        }
+    }
+    return false;
+}
+
+} // End namespace Foam
+
+
+// Patches through which fluid should enter, and where nothing says how much
+void Foam::demPlan::inletWarnings
+(
+    const volVectorField& U,
+    DynamicList<string>& warnings
+) const
+{
+    const volScalarField* p = mesh_.findObject<volScalarField>("p_rgh");
+    p = p ? p : mesh_.findObject<volScalarField>("p");
+
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        const word& name = Up.patch().name();
+
+        if
+        (
+            Up.type() == "zeroGradient"
+         && !isA<wallFvPatch>(Up.patch())
+         && (isCalledInlet(name) || (p && p->boundaryField()[patchi].type() == "zeroGradient"))
+        )
+        {
+            warnings.append
+            (
+                string("U on patch ") + name + " is zeroGradient: nothing drives the fluid in"
+                " there; give fixedValue in 0/U, or a pressure on the patch and"
+                " pressureInletOutletVelocity"
+            );
+        }
+    }
+}
+
+
+// The exchange gives the fluid its impulse within one step. Schemes of two steps add
+// a part of the previous change: the total impulse on the fluid is then off by half
+// the impulse of the first step.
+void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
+{
+    const word scheme(demFluid::timeScheme(mesh_));
+
+    if (particles_.react() && (scheme == "backward" || scheme == "CrankNicolson"))
+    {
+        warnings.append
+        (
+            string("ddtSchemes ") + scheme + " does not keep the momentum that fluid and"
+            " particles exchange (3 % off where they are brought to one velocity);"
+            " give Euler in system/fvSchemes"
+        );
+    }
+}
+
+
+// Patches that are neither walls nor passages: particles are lost there
+void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
+{
+    string open;
+    word first;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if
+        (
+            patch.type() == polyPatch::typeName
+         && !particles_.dict().isWall(patch)
+         && !particles_.inletsOutlets().passages().found(patch.index())
+        )
+        {
+            first = open.empty() ? patch.name() : first;
+            open += (open.empty() ? "" : ", ") + patch.name();
+        }
+    }
+    if (!open.empty())
+    {
+        warnings.append
+        (
+            "particles that reach patch " + open + " end the run: let them leave by outlets { NAME"
+            " { patch " + first + "; } }, or make it a wall of the particles by coupling { walls ("
+          + first + "); }"
+        );
+    }
+}
+
+
+// Files that the run, or decomposePar, does not read as the user expects
+void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
+{
+    const Time& time = mesh_.time();
+    const fileName constant(time.globalPath()/time.constant());
+    const IOdictionary decomposition
+    (
+        demFileAt(time.system(), "decomposeParDict", time, IOobject::READ_IF_PRESENT)
+    );
+    const word method(decomposition.getOrDefault<word>("method", word::null));
+    DynamicList<string> found;
+
+    for (const fileName& region : readDir(constant, fileName::DIRECTORY))
+    {
+        if (isFile(constant/region/demDict::name(), false))
+        {
+            found.append
+            (
+                "constant/" + region + "/" + demDict::name() + " is not read, also with a region:"
+                " put it into constant/"
+            );
+        }
+    }
+    if (!Pstream::parRun() && !method.empty() && isDummy(method))
+    {
+        found.append
+        (
+            "method " + method + " of system/decomposeParDict is not in this OpenFOAM (only a"
+            " stand-in), so decomposePar will fail: take hierarchical or simple"
+        );
+    }
+
+    // All ranks need the same list, and only the first surely sees the files
+    List<string> ofAll(found);
+    demBroadcast(ofAll);
+    warnings.append(ofAll);
+}
+
+
+void Foam::demPlan::warn(const volVectorField& U, struct ::dem_run_info& ahead) const
+{
+    DynamicList<string> own;
+    inletWarnings(U, own);
+    timeSchemeWarning(own);
+    openPatchWarning(own);
+    filesWarnings(own);
+    List<const char*> sentences(own.size());
+    const char* text = nullptr;
+
+    forAll(own, k)
+    {
+        sentences[k] = own[k].c_str();
+    }
+    ahead.patch_speed = patchSpeed(U);
+    ahead.resolution = transfer_.length();
+
+    demCheck(dem_warnings(particles_.core(), &ahead, int(own.size()), sentences.cdata(), &text));
+    if (text[0])
+    {
+        Info<< text << endl;
+    }
+}

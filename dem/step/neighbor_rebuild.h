@@ -1,0 +1,25 @@
+/*
+ * neighbor_rebuild.h -- rebuild and prune the neighbor lists.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_NEIGHBOR_REBUILD_H
+#define DEM_STEP_NEIGHBOR_REBUILD_H
+
+#include "ranks/dem_state.h"
+
+/* Collective. Rebuild at the present positions: order of particles, ghosts, pairs, contact rows and
+   their history. */
+int dem_neighbor_rebuild(struct dem_state *);
+
+/* Collective. Contact rows from the pairs of the outer list that are within the inner skin;
+   `rebuilt`: with the history saved before a rebuild. */
+int dem_neighbor_prune(struct dem_state *, int rebuilt);
+
+/* 1 in a step in which particles that have left the domain are removed. */
+int dem_neighbor_removal_is_due(const struct dem_state *);
+
+/* Collective. `removes`: 1 on all ranks when any particle has to be removed now. */
+int dem_neighbor_check_removals(struct dem_state *, int *removes);
+
+#endif

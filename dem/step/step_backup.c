@@ -1,0 +1,63 @@
+/*
+ * step_backup.c -- copy the state into the backup.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/step_backup.h"
+#include "particles/domain.h"
+#include "ranks/agree.h"
+#include "sources/flows.h"
+#include <math.h>
+
+/* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
+static int has_invalid_number(const struct dem_particles *particles)
+{
+    const double *const force = dem_column(particles, DEM_COLUMN_FORCE);
+    const double *const torque = dem_column(particles, DEM_COLUMN_TORQUE);
+    double sum = 0.0;
+
+    for (size_t i = 0; i < particles->n; i++)
+    {
+        for (size_t k = 0; k < 3; k++)
+        {
+            sum += 0.0*(particles->record[i].x[k] + particles->record[i].v[k] +
+                        particles->record[i].w[k] +
+                          force[3*i + k] + torque[3*i + k]);
+        }
+    }
+    return isnan(sum);
+}
+
+int dem_step_backup_ahead(struct dem_state *state, int status,
+                          const struct dem_body_sweep *half_kick)
+{
+    struct dem_backup *const backup = &state->backup;
+    double invalid = has_invalid_number(&state->particles);
+
+    DEM_TRY(dem_agree_max(state, status, &invalid, 1));
+    if (invalid > 0.0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
+    dem_flows_backup(state->flows);
+    backup->time = state->time;
+    backup->steps = state->steps;
+    if (half_kick)
+    {
+        dem_sweep_bodies(&backup->particles, &state->interaction_table.bodies, half_kick);
+        dem_domain_constrain(&state->domain, &backup->particles);
+    }
+    return DEM_OK;
+}
+
+int dem_step_backup(struct dem_state *state)
+{
+    if (state->window.half_step_ahead)
+    {
+        state->backup.steps = state->backup.valid ? state->backup.steps
+                                                  : state->steps - state->backup.every;
+        return DEM_OK;
+    }
+    return dem_step_backup_ahead(state, DEM_OK, NULL);
+}

@@ -1,0 +1,321 @@
+"""Wrong input ends a coupled run, in serial and on several ranks, with a sentence that names the cure. No run hangs or
+continues without particles.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+
+control, scene, transport = "system/controlDict", "constant/demProperties", "constant/transportProperties"
+
+
+def files(case):
+    """What the case contains and when it was written, without logs and the lock that MPI_Abort leaves."""
+    return {(path, path.stat().st_mtime_ns) for path in case.path.rglob("*")
+            if path.is_file() and not path.name.startswith("log.") and path != case/"lock"}
+
+
+def refused(what, case, sentence, *command, ranks=1):
+    """The run ends with an error within a minute, with this sentence in one line, and writes nothing."""
+    before = files(case)
+    run = case.run(*command or ("demPimpleFoam",), ranks=ranks, log="log.refused", limit=60)
+    written = files(case) - before
+    claim(f"{what}: fails and says '{sentence}'", run.status not in (0, 124) and not written
+          and not re.search("sigFpe|sigSegv", run.log) and re.search(sentence, run.log, re.M),
+          f"status {run.status}, wrote {sorted(written)}", *run.log.splitlines()[-12:])
+
+
+def reported(what, case, sentence, *command):
+    """Not a mistake, but the log must report it."""
+    run = case.run(*command or ("demPimpleFoam",), log="log.reported")
+    claim(f"{what}: runs and says '{sentence}'",
+          re.search("^End", run.log, re.M) and re.search(sentence, run.log, re.M), *run.log.splitlines()[-12:])
+
+
+def changed(check, what, case, sentence, changes, *command, **options):
+    """Check a run whose file has these changes, (expression, replacement), and take them back."""
+    good = case.read(scene)
+    for pattern, to in changes:
+        case.sub(scene, pattern, to)
+    check(what, case, sentence, *command, **options)
+    case.write(scene, good)
+
+
+def coupling(entries):
+    """The change that adds these entries to coupling."""
+    return "^ *rho .*", rf"\g<0> {entries}"
+
+
+def before(block, entries):
+    """The change that puts these entries before a block of the scene."""
+    return f"^{block}", rf"{entries}\n{block}"
+
+
+def at_rest(case, time):
+    """The 1500 particles of the hydrostatic bed, on all ranks, have velocities of round-off."""
+    U = np.vstack([case.field(folder/"U").reshape(-1, 3)
+                   for folder in case.path.glob(f"processor*/{time}/lagrangian/particles")])
+    return len(U) == 1500 and largest(U) < 1e-8
+
+
+# ---- the solver ------------------------------------------------------------------------------------
+
+case = Case("solver", "hydrostatic")
+case.edit(control, endTime=0.002, writeInterval=1)
+case.run("blockMesh")
+case.run("decomposePar")
+case.run("demPimpleFoam")
+claim_ran("the case without a slip runs", case)
+case.run("demPimpleFoam", ranks=2)
+claim_ran("the case without a slip runs on two ranks", case)
+
+steel = ("neutral {[^}]*}", r"\g<0> steel { density 7800; youngsModulus 1e5; }")
+# two centers in a cube of 0.5 mm are never 1 mm apart
+packing = before("insert", "insert { crowd { type random; count 2; diameter 1e-3;"
+                           " min (0 0 0); max (1.5e-3 1.5e-3 1.5e-3); } }")
+smoothing = "is a setting of the smoothing"
+slips = [                                             # what, sentence, changes
+    ("no density", "add rho", ("^ *rho .*", "")),
+    ("unknown effect", "hertz", ("hertz", "herz")),
+    ("misspelt setting", "restitution", ("restitution", "restituton")),
+    ("misspelt word in coupling", "width", ("width", "widht")),
+    ("unknown kernel", "kernel", ("diffusion", "difusion")),
+    ("an unknown base", "base.*linear", ("diffusion;", "diffusion; base linaer;")),
+    ("width without smoothing", f"coupling/width {smoothing}", ("diffusion", "linear")),
+    ("base without smoothing", f"coupling/base {smoothing}", ("diffusion;", "linear; base linear;"), ("width.*", "")),
+    ("a diameter without smoothing", f"coupling/diameter {smoothing}",
+     ("diffusion;", "linear; diameter 1e-3;"), ("width.*", "")),
+    ("width of spheres", f"coupling/width {smoothing}", ("diffusion", "divided")),
+    ("a Gaussian without width", "coupling/width 0 is no width for kernel gaussian",
+     ("diffusion", "gaussian"), ("width .*", "width 0;")),
+    ("a Gaussian as a base", "base.*linear", ("diffusion;", "diffusion; base gaussian;")),
+    ("a Gaussian with a base", f"coupling/base {smoothing}", ("diffusion;", "gaussian; base linear;")),
+    ("a viscosity that the solver has", "nu comes from", coupling("nu 1e-6;")),
+    ("gravity twice, not the same", "one place only",
+     ("pressureGradient {}", r"\g<0> gravity { acceleration (0 0 -9); }")),
+    *((f"a least void fraction of {e}",
+       f"coupling/minVoidFraction {e} is out of range; give a number above 0 and below 1",
+       coupling(f"minVoidFraction {e};")) for e in (0, 1)),
+    ("driven particles", "driven particles, which the balances of a coupled run",
+     ("count 1500;", r"\g<0> driven yes;")),
+    ("prescribed forces", "the scene has forces, which the balances of a coupled run",
+     before("insert", "forces { pull { ids (0); force (0 0 1e-3); } }")),
+    ("an unknown set of equations", 'unknown equations "?IV', coupling("equations IV;")),
+    ("equations of a fluid that feels nothing", "equations says how the fluid feels.*twoWay no",
+     coupling("equations II; twoWay no;")),
+    *((f"{effect} in set III", f"Equations III are.*{effect}", ("pressureGradient {}", rf"\g<0> {effect} {{}}"),
+       coupling("equations III;")) for effect in ("virtualMass", "viscousStress")),
+    *((f"no pressureGradient in set {equations}", f"Equations {equations} need pressureGradient",
+       ("pressureGradient {}", ""), coupling(f"equations {equations};")) for equations in ("I", "II", "III")),
+    ("a budget or none", "budget", coupling("record { interval 1; budget maybe; }")),
+    ("a budget of a fluid that feels nothing", "record/budget is yes, but twoWay is no.*twoWay yes",
+     coupling("twoWay no; record { interval 1; budget yes; }")),
+    ("a misspelt word in record", "bugdet.*budget", coupling("record { interval 1; bugdet yes; }")),
+    ("the mixture's flux through an unknown patch", "mixtureFlux.*nowhere", coupling("mixtureFlux (nowhere);")),
+    ("copies or none", "lastGood", coupling("lastGood maybe;")),
+    ("a misspelt word for copies", "lastGod.*lastGood", coupling("lastGod yes;")),
+    ("a fluid in the scene", "take out fluid", before("coupling", "fluid { density 1; viscosity 1; }")),
+    ("two materials, and walls without one", "What is wall walls made of", steel),
+    ("a patch without a material, of two", "walls/top misses its material.*neutral.*steel",
+     steel, before("insert", "walls { walls { material steel; } top {} }")),
+    ("a misspelt patch", "walls/tob .*did you mean top. known: top, walls$",
+     before("insert", "walls { tob { material neutral; } }")),
+    ("a misspelt patch of type patch", "walls/tob .*did you mean top",
+     before("insert", "walls { tob { type patch; material neutral; } }")),
+    ("a wall that is no dictionary", "walls/top is not a dictionary", before("insert", "walls { top neutral; }")),
+    ("a patch with a place", "walls/top .*Take out point",
+     before("insert", "walls { top { type patch; point (0 0 0); } }")),
+    ("a temperature of a patch without heat",
+     "unknown entry .temperature. in walls/top; it acts only with .* conduction, .*radiation",
+     before("insert", "walls { top { type patch; temperature { value 300; } } }")),
+    ("a misspelt patch in coupling", "coupling/walls.*did you mean top", coupling("walls ( tob );")),
+    ("a pattern in coupling that matches no patch", "coupling/walls.*matches no patch.*walls top",
+     coupling('walls ( "to[b]" );')),
+    ("walls of an unknown material", "steal", before("insert", "walls { walls { material steal; } }")),
+    ("a pattern for walls that matches no patch", "matches no patch",
+     before("insert", 'walls { "sids.*" { material neutral; } }')),
+    ("a packing without room", "2 of 2 particles still overlap", packing),
+    ("means of no time, before a packing without room", "interval 0 s; give a time above 0",
+     packing, before("coupling", "averages { a { min (0 0 0); max (1 1 1); interval 0; } }")),
+    ("a misspelt entry, before a packing without room", "avarages.*averages",
+     packing, before("coupling", "avarages { }")),
+    ("a snapshot that is not there", "nothere", before("insert", 'start { snapshot "nothere"; }')),
+    ("particles outside the mesh", "outside", (r"max \(0.02 0.02 0.02\)", "max (0.02 0.02 0.03)")),
+]
+if os.environ.get("WM_LABEL_SIZE", "32") != "64":
+    slips.append(("an id beyond 31 bits", "Particle id 2147483648 does not fit .*up to 2147483647",
+                  (r"^    grains(.|\n)*?\); }", "    one { type list; material neutral; diameter 1e-3;"
+                   " positions ((0.01 0.01 0.01)); ids (2147483648); }")))
+on_two_ranks = ["no density", "a misspelt patch", "particles outside the mesh"]
+if thorough:
+    on_two_ranks += ["unknown effect", "a viscosity that the solver has", "an unknown set of equations",
+                     "no pressureGradient in set II"]
+for what, sentence, *changes in slips:
+    changed(refused, what, case, sentence, changes)
+    if what in on_two_ranks:
+        changed(refused, f"{what}, two ranks", case, sentence, changes, ranks=2)
+
+changed(reported, "entries of the program dem", case, "not read.*write time/end.*controlDict",
+        [before("coupling", r"write { interval 1; }\ntime { end 1; }")])
+changed(reported, "a patch without a material, of one", case, "1500 particles, 2 walls",
+        [before("insert", "walls { top {} }")])
+changed(reported, "a patch of type patch", case, "1500 particles, 2 walls",
+        [before("insert", "walls { top { type patch; } }")])
+reported("gravity", case, r"gravity \(0 0 -9.81\) m/s2 from constant/g")
+(case/"constant/g").rename(case/"g")
+reported("no gravity", case, "no gravity: neither constant/g nor effects/gravity")
+(case/"g").rename(case/"constant/g")
+
+(case/scene).rename(case/"scene")
+refused("no file", case, "demProperties")
+(case/"scene").rename(case/scene)
+nu = case.read(transport)
+for value, shown in ((-1e-6, "-0.001"), (0, "0")):
+    case.edit(transport, nu=value)
+    refused(f"nu {value}", case, f"viscosity of the fluid is {shown} Pa s; it must be positive")
+case.write(transport, nu)
+case.sub(transport, "^nu .*", r"\g<0> rho 900;")
+refused("two densities", case, "one place only")
+case.write(transport, nu)
+for step in (-1e-3, 0):
+    case.edit(control, deltaT=step)
+    refused(f"deltaT {step}", case, "deltaT is .* s; give a time step above 0")
+if thorough:
+    refused("deltaT 0, two ranks", case, "deltaT is .* s; give a time step above 0", ranks=2)
+case.edit(control, deltaT=0.001)
+for scheme in ("backward", "CrankNicolson 0.9"):
+    case.sub("system/fvSchemes", r"\bEuler;", f"{scheme};")
+    refused(f"ddtSchemes {scheme}", case,
+            f"ddtSchemes of system/fvSchemes is {scheme.split()[0]}; .* needs Euler")
+    case.sub("system/fvSchemes", rf"\b{scheme};", "Euler;")
+case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
+refused("the solver's particles and a function object's", case, "has particles already")
+
+# ---- the function object ---------------------------------------------------------------------------
+
+cavity = Path(os.environ.get("FOAM_TUTORIALS", ""))/"incompressible/icoFoam/cavity/cavity"
+if cavity.is_dir():
+    case = Case("cavity", cavity)
+    (case/control).rename(case/"system/controlDict.stock")
+    case.copy("stock/cavity/controlDict", control)
+    case.copy("stock/cavity/demProperties", scene)
+    case.edit(control, endTime=0.01)
+    case.run("blockMesh")
+    case.run("decomposePar")
+    case.run("icoFoam")
+    claim_ran("the cavity without a slip runs", case, "icoFoam")
+    ranks_and_name = ((1, ""), (2, ", two ranks"))
+    for ranks, on in ranks_and_name if thorough else ranks_and_name[:1]:
+        changed(refused, f"unknown effect in a function object{on}", case, "hertz", [("hertz", "herz")],
+                "icoFoam", ranks=ranks)
+    changed(refused, "viscosity that the solver has", case, "take it out", [coupling("nu 1e-6;")], "icoFoam")
+    changed(refused, "equations of a solver that has its own", case, "equations is for demPimpleFoam",
+            [("twoWay .*", "equations I;")], "icoFoam")
+    # icoFoam reaches the end of its first step
+    for ranks, on in ranks_and_name:
+        changed(refused, f"two-way in a solver that never asks{on}", case, "does not call fvOptions",
+                [("twoWay .*", "")], "icoFoam", ranks=ranks)
+    (case/scene).rename(case/"scene")
+    for ranks, on in ranks_and_name:
+        refused(f"no file for a function object{on}", case, "demProperties", "icoFoam", ranks=ranks)
+    (case/"scene").rename(case/scene)
+
+    good = case.read(control)
+    for entry in ("executeControl writeTime", "executeInterval 2", "triggerStart 1"):
+        case.sub(control, "libs", f"{entry}; libs")
+        refused(f"a function object with {entry}", case, "Take out executeControl", "icoFoam")
+        case.write(control, good)
+    case.sub(control, "libs", "executeControl timeStep; executeInterval 1; libs")
+    reported("each step said in words", case, "400 particles, ", "icoFoam")
+    case.write(control, good)
+    reported("looking at results", case, "particles stay as they are", "icoFoam", "-postProcess")
+    claim("-postProcess writes no particles", not list(case.path.rglob("dem.snapshot")))
+
+# ---- repeated starts -------------------------------------------------------------------------------
+
+case = Case("again", "hydrostatic")
+case.edit(control, endTime=0.002, writeInterval=0.001)
+case.run("blockMesh")
+case.run("demPimpleFoam")
+case.copy(case/"0.002", "first")
+case.run("demPimpleFoam")
+positions = "lagrangian/particles/positions"
+claim("a second run in the same folders has the same results",
+      agrees(case/"first"/positions, case/"0.002"/positions))
+
+# 0.003 is run from 0.002
+case.edit(control, startFrom="latestTime", endTime=0.003)
+changed(refused, "a snapshot of other materials", case, 'dem.snapshot: unknown material "neutral".*known: wax',
+        [("neutral", "wax")])
+changed(refused, "a snapshot of another density", case, "density 1000 kg/m3, the scene says 900",
+        [("density 1000", "density 900")])
+
+# a time of a coupled run that lacks a part: no fresh start in the middle of a run
+uniform, aside = case/"0.002/uniform", case/"aside"
+(case/"0.001").rename(aside)
+parts = {uniform/"dem.snapshot": case/"dem.snapshot", case/"0.002/lagrangian": case/"lagrangian",
+         uniform/"dem.kernel": case/"dem.kernel", uniform/"lagrangian": case/"properties"}
+for what, (part, away), found in zip(
+        ("a time with positions, but without the snapshot",
+         "a time with the numbers of the coupling, but without the snapshot",
+         "a time with the cloud's properties, but without the snapshot"), parts.items(),
+        ("lagrangian/particles.*, but no snapshot uniform/dem.snapshot", "uniform/dem.kernel.*, but no snapshot",
+         "uniform/lagrangian/particles.*, but no snapshot")):
+    part.rename(away)
+    refused(what, case, f"Time 0.002 has particles .*{found}")
+(uniform/"lagrangian").rename(case/"properties")
+reported("a time of the fluid alone", case,
+         "fluid of time 0.002 was computed without particles; they begin here")
+case.remove("0.003")
+for part in (uniform/"dem.snapshot", case/"0.002/lagrangian", uniform/"lagrangian"):
+    parts[part].rename(part)
+refused("a snapshot without its numbers", case,
+        "no file .*0.002/uniform/dem.kernel.?, which belongs to the snapshot")
+case.copy(aside/"uniform/dem.kernel", "0.002/uniform/dem.kernel")
+case.copy(aside/"uniform/dem.snapshot", "0.002/uniform/dem.snapshot")
+refused("snapshot and numbers of another time", case,
+        "dem.snapshot is of time 0.001 s, but the run starts at 0.002 s.*start . snapshot <file>")
+(case/"dem.kernel").rename(uniform/"dem.kernel")
+refused("a snapshot of another time", case, "dem.snapshot is not the snapshot that was written here: "
+        "its fingerprint is [0-9a-f]+, .* says [0-9a-f]+")
+case.copy(case/"first/uniform/dem.snapshot", "0.002/uniform/dem.snapshot")
+aside.rename(case/"0.001")
+case.run("demPimpleFoam")
+claim_ran("the complete time continues", case)
+case.remove("0.003")
+
+(uniform/"dem.snapshot").unlink()
+refused("a time without its particles", case, "Time 0.002 has particles .* no snapshot")
+case.remove("0.002/lagrangian", "0.002/uniform/lagrangian", "0.002/uniform/dem.kernel")
+refused("a time of the fluid alone, after one with particles", case,
+        "Time 0.002 has no particles .*but time 0.001 has")
+for folder in ("lagrangian", "uniform"):
+    case.copy(case/"first"/folder, f"0.002/{folder}")
+os.truncate(uniform/"dem.snapshot", 100000)
+refused("a snapshot cut short", case, "dem.snapshot is damaged")
+case.copy(case/"first/uniform/dem.snapshot", "0.002/uniform/dem.snapshot")
+case.run("decomposePar", "-latestTime")
+refused("more ranks than folders", case,
+        "number of processor directories = 2|is not equal to the number of ranks", ranks=3)
+case.run("demPimpleFoam", ranks=2)
+claim_ran("from one rank to two", case)
+claim("from one rank to two the particles stay at rest", at_rest(case, 0.003))
+
+case.edit("system/decomposeParDict", numberOfSubdomains=4)
+case.sub("system/decomposeParDict", r"\( 2 1 1 \)", "( 4 1 1 )")
+case.edit(control, endTime=0.004)
+case.run("reconstructPar", "-latestTime")
+case.remove("processor*")
+case.run("decomposePar", "-time", "0.002:0.003")
+case.run("demPimpleFoam", ranks=4)
+claim_ran("from two ranks to four", case)
+claim("from two ranks to four the particles stay at rest", at_rest(case, 0.004))
+case.remove("processor*/0.004", "processor0/0.003/uniform/dem.snapshot")
+refused("a time without its particles, four ranks", case, "Time 0.003 has particles .* no snapshot", ranks=4)
+case.remove("processor[012]/0.003/lagrangian", "processor*/0.003/uniform/dem.kernel",
+            "processor*/0.003/uniform/lagrangian")
+refused("a time with particles on the last of four ranks only", case,
+        "Time 0.003 has particles .*lagrangian/particles.* no snapshot", ranks=4)
+case.remove("processor*/0.003/lagrangian")
+refused("a time of the fluid alone, after one with particles, four ranks", case,
+        "Time 0.003 has no particles .*but time 0.002 has", ranks=4)
+finish()

@@ -1,0 +1,124 @@
+"""budget.csv balances momentum, volume, mass and energy of fluid and particles.
+
+- Momentum changes by the flux through patches, by walls, weight and supports, to round-off: on hexahedra, on
+  tetrahedra, on four ranks. On hexahedra the momentum that cells get from faces equals the particles' and the
+  pressure's.
+- The volume of the fluid is conserved, and energy does not grow.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+
+budget = "postProcessing/dem/0/budget.csv"
+
+
+def account(case, name):
+    """The terms of an account at the end."""
+    return {term[:-len(name) - 1]: column[-1] for term, column in case.table(budget).items()
+            if term.endswith("." + name)}
+
+
+def share(terms, term):
+    """Magnitude of a term over the largest contribution, or over the largest state where there is none (mass)."""
+    states = {"fluid", "particles", "owed", "height"} & set(terms)
+    gains = set(terms) - states - {"rest"}
+    return abs(terms[term])/max(abs(terms[name]) for name in gains or states)
+
+
+def claims_of(what, case, faces=True):
+    for axis in "xyz":
+        momentum = account(case, "p" + axis)
+        # round-off of sums over some hundred cells and steps
+        claim(f"{what}: momentum closes, {axis}", share(momentum, "rest") < 1e-12)
+        if faces:
+            claim(f"{what}: nothing is lost between faces and cells, {axis}", share(momentum, "faces") < 1e-12)
+    claim(f"{what}: particles hit the walls", share(account(case, "px"), "walls") > 1e-3)
+    volume, energy = account(case, "volume"), account(case, "energy")
+    claim(f"{what}: volume closes", share(volume, "rest") < 1e-12)
+    # the linear solver's tolerance, 1e-11 m2/s2 of pressure
+    claim(f"{what}: continuity holds", share(volume, "continuity") < 1e-8)
+    claim(f"{what}: no particle enters or leaves", share(account(case, "mass"), "rest") < 1e-14)
+    claim(f"{what}: energy is lost, not gained", energy["rest"] < 0)
+    claim(f"{what}: drag dissipates energy", energy["drag"] < 0)
+
+
+def claim_iterations(what, case, limit):
+    for axis in "xyz":
+        claim(f"{what}, {axis}", share(account(case, "p" + axis), "iterations") < limit)
+
+
+# ---- hexahedra, on one rank and on four ------------------------------------------------------------
+
+case = Case("hexahedra")
+case.run("blockMesh")
+case.run("demPimpleFoam")
+claim_ran("hexahedra: runs", case)
+claims_of("hexahedra", case)
+# one outer iteration, steps of 1 ms: convection and stress differ between the predictor and the pressure step
+claim_iterations("hexahedra: small residual of the iterations", case, 1e-3)
+table = case.table(budget)
+claim("hexahedra: a row for each step but the first", len(table["time"]) == 19)
+claim("hexahedra: the tables name the law of drag",
+      case.names_effects("gidaspow pressureGradient", budget, "postProcessing/dem/0/walls.csv"))
+claim_tables("hexahedra: the tables", case/"postProcessing/dem/0", "effects", "budget", "walls")
+claim("hexahedra: without heat transfer no column of heat", not any("heat" in name for name in table))
+alone = account(case, "pz")
+claim("hexahedra: the bed carries the force of the fluid", share(alone, "held") > 0.1)
+
+case.edit("system/decomposeParDict", numberOfSubdomains=4)
+case.sub("system/decomposeParDict", "2 1 1", "2 2 1")
+case.run("decomposePar")
+case.remove("postProcessing")
+case.run("demPimpleFoam", ranks=4, options=["--oversubscribe"])
+claim_ran("four ranks: runs", case)
+claims_of("four ranks", case)
+# linear solvers, and particles that touch earlier or later
+claim("four ranks: the fluid has the momentum that it has on one",
+      close(account(case, "pz")["fluid"], alone["fluid"], 1e-6))
+
+# ---- other meshes ----------------------------------------------------------------------------------
+
+case = Case("graded")
+case.sub("system/fvSolution", "nOuterCorrectors 1", "nOuterCorrectors 8")
+case.sub("system/blockMeshDict", r"simpleGrading \(1 1 1\)", "simpleGrading (2 1 3)")
+case.run("blockMesh")
+case.run("demPimpleFoam")
+claim_ran("graded: runs", case)
+claims_of("graded", case)
+claim_iterations("graded: no residual after enough iterations", case, 1e-12)
+
+case = Case("tetrahedra")
+case.sub("system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 2")
+case.run("blockMesh")
+case.run("bash", "tetrahedra")
+case.run("demPimpleFoam")
+claim_ran("tetrahedra: runs", case)
+claims_of("tetrahedra", case, faces=False)
+
+
+def difference_in_bed(n):
+    """The momentum that is lost between faces and cells of tetrahedra of this fineness, over the pressure force,
+    in a frozen bed without unresolved wall layers."""
+    case = Case(f"bed-{n}")
+    case.sub("system/fvSchemes", "^gradSchemes.*", "gradSchemes { default leastSquares; }")
+    case.sub("system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 6")
+    case.sub("system/fvSolution", "nOuterCorrectors 1", "nOuterCorrectors 3")
+    case.edit("system/controlDict", endTime=0.003, writeInterval=0.003)
+    case.sub("system/blockMeshDict", r"\(5 5 10\)", f"({5*n} {5*n} {10*n})")
+    case.sub("constant/demProperties", r" *free \{[^}]*\}", "")
+    case.sub("0/U", "noSlip", "slip")
+    case.sub("0/U", r"\(0.01 0 0.03\)", "(0 0 0.03)")
+    case.run("blockMesh")
+    case.run("bash", "tetrahedra")
+    case.run("demPimpleFoam")
+    claim_ran(f"bed on tetrahedra 1/{n}: runs", case)
+    terms = account(case, "pz")
+    claim(f"bed on tetrahedra 1/{n}: momentum closes", share(terms, "rest") < 1e-12)
+    return abs(terms["faces"]/terms["pressure:inlet"])
+
+
+# a discretisation error: 0.33 % of the pressure force, and 0.11 % on cells of half the size (order 1.6)
+coarse, fine = difference_in_bed(1), difference_in_bed(2)
+claim("bed on tetrahedra: faces and cells differ by less than 0.5 %", coarse < 0.005)
+claim("bed on tetrahedra: the difference is at most half on cells of half the size", fine < coarse/2)
+finish()

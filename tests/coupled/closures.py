@@ -1,0 +1,20 @@
+"""Closed forms that several tests compare with.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import numpy as np
+
+
+def gidaspow_gradient(void):
+    """Pressure gradient [Pa/m] of a bed of spheres of 1 mm at this void fraction, in air at a superficial velocity of
+    0.3 m/s: Ergun (1952), Wen and Yu (1966), and the blend of Huilin and Gidaspow (2003)."""
+    s, d, mu, rho, w = 1 - void, 1e-3, 1.8e-5, 1.2, 0.3/void
+    Re = rho*0.3*d/mu
+    ergun = 150*s*s*mu/(void*d*d) + 1.75*s*rho*w/d
+    wen_yu = 18/Re*(1 + 0.15*Re**0.687)*rho*w*void*s/d*void**-2.65
+    blend = np.arctan(262.5*(0.2 - s))/np.pi + 0.5
+    return (blend*wen_yu + (1 - blend)*ergun)*w/void
+
+
+# void fraction of the lattice of fixedBed, 1.1 d from sphere to sphere
+lattice_void = 1 - np.pi/6/1.1**3

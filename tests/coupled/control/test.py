@@ -1,0 +1,155 @@
+"""Time controls of controlDict and of the function object apply to particles as to fields: timeStart, timeEnd,
+purgeWrite, writing and stopping on request, -postProcess. Settings that would lose steps or cells are refused.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+from solvers.box import fallen, prepare, speed, spheres_apart
+
+control = "system/controlDict"
+one = "insert { one { type list; diameter 1e-4; positions ( (0.0071 0.0083 0.037) ); } }\n"
+many = """insert
+{ all { type random; count 50; diameter 1e-3; velocity (0.1 0 0); min (0 0 0); max (0.02 0.02 0.04); } }
+"""
+
+
+def written(path):
+    return path.is_file() and path.stat().st_size > 0
+
+
+# ---- timeStart, timeEnd -----------------------------------------------------------------------------
+
+for way in ("no", "yes"):
+    what = f"timeStart, timeEnd, two-way {way}"
+    case = prepare("pimpleFoam", one + f"coupling {{ rho 10; twoWay {way}; }}", f"window-{way}")
+    case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.02; timeEnd 0.1;")
+    case.edit(control, endTime=0.15)
+    case.run("pimpleFoam")
+    claim_ran(f"{what}: runs", case, "pimpleFoam")
+    claim(f"{what}: particles move in 81 steps, as other function objects",
+          len(re.findall("Suna: 1 particles, .* DEM steps, void", case.log("pimpleFoam"))) == 81)
+    # two-way the sphere drags its cells along: 2 %
+    claim(f"{what}: the sphere has fallen for 81 ms", close(fallen(case, "0.1"), speed(0.081, 10, 1e-4), 0.02))
+    claim(f"{what}: it is written when it moves",
+          written(case/"0.05/uniform/dem.snapshot") and not (case/"0.15/uniform/dem.snapshot").exists())
+
+# ---- purgeWrite, stopping on demand, -postProcess, on the same run ----------------------------------
+
+case = prepare("pimpleFoam", many + "coupling { rho 1000; }", "run")
+case.edit(control, endTime=0.1, writeInterval=0.02)
+straight = case.read(control)
+
+
+def run(**entries):
+    """Continue the run from its last time with these entries of controlDict."""
+    case.write(control, straight)
+    case.edit(control, **entries)
+    return case.run("pimpleFoam")
+
+
+run()
+claim_ran("the straight run: runs", case, "pimpleFoam")
+(case/"0.1").rename(case/"straight")
+case.remove("0.0*")
+
+run(purgeWrite=2)
+claim("purgeWrite 2: two times are left", case.times() == ["0.08", "0.1"])
+claim("purgeWrite 2: the particles of both are there",
+      written(case/"0.08/uniform/dem.snapshot") and written(case/"0.1/lagrangian/particles/U"))
+case.remove("0.1")
+run(purgeWrite=2)
+claim("purgeWrite 2: a restart from the remaining times agrees with the uninterrupted run",
+      spheres_apart(case, "straight", "0.1") < 1e-11)
+
+# from 0.08 s, with this entry, the next step is the last
+case.remove("0.1")
+run(stopAt="writeNow")
+claim_ran("stopAt writeNow: the run ends well", case, "pimpleFoam")
+claim("stopAt writeNow: the particles are written at the last step",
+      written(case/"0.081/uniform/dem.snapshot") and not (case/"0.1").exists())
+run(writeInterval=0.019)
+claim("stopAt writeNow: a restart agrees with the uninterrupted run", spheres_apart(case, "straight", "0.1") < 1e-11)
+
+# the signal of OpenFOAM, in a run from 0.08 s: the particles are written with the fields, and the run ends
+(case/"0.1").rename(case/"last")
+case.remove("0.08[1-9]*", "0.09*")
+case.write(control, straight + "OptimisationSwitches { stopAtWriteNowSignal 10; }\n")
+case.edit(control, endTime=1000, writeInterval=1000)
+solver = case.start("pimpleFoam")
+if until(lambda: "DEM steps, void" in case.log("pimpleFoam")):
+    solver.send_signal(signal.SIGUSR1)
+claim("stopAtWriteNowSignal 10: SIGUSR1 ends the run properly", case.ended(solver) == 0)
+now = case.times()[-1]
+claim("stopAtWriteNowSignal 10: particles and fields are of the same time",
+      now != "0.08" and written(case/now/"U") and written(case/now/"uniform/dem.snapshot"))
+if now != "0.08":
+    case.remove(now)
+(case/"last").rename(case/"0.1")
+
+
+def contents():
+    """All files but logs."""
+    return {path: path.read_bytes() for path in case.path.rglob("*")
+            if path.is_file() and not path.name.startswith("log.")}
+
+
+before = contents()
+case.run("pimpleFoam", "-postProcess")
+claim_ran("-postProcess: runs", case, "pimpleFoam")
+claim("-postProcess: nothing moves, no file changes", contents() == before)
+case.run("pimpleFoam", "-postProcess", "-func", "mag(U)", "-latestTime")
+claim("-postProcess -func: writes its field", written(case/"0.1/mag(U)"))
+
+# ---- refused ----------------------------------------------------------------------------------------
+
+
+def refused(what, sentence, solver):
+    """The solver ends with an error within a minute, with this sentence."""
+    ran = case.run(solver, limit=60)
+    claim(f"{what} is refused", ran.status not in (0, 124) and sentence in ran.log, *ran.log.splitlines()[-12:])
+
+
+def coupling(entries):
+    case.write("constant/particles", many + f"coupling {{ rho 1000; {entries} }}")
+
+
+case.remove("0.*[0-9]")
+case.write(control, straight)
+coupling("interval 1e-3;")
+refused("coupling/interval in a solver with time", "interval is for steady solvers", "pimpleFoam")
+coupling("relaxation 0.5;")
+refused("coupling/relaxation in a solver with time", "relaxation is for steady solvers", "pimpleFoam")
+coupling("")
+case.sub("system/fvSchemes", "Euler", "steadyState")
+refused("a steady solver without coupling/interval", "Add interval", "simpleFoam")
+coupling("interval 1e-3; relaxation 0;")
+refused("coupling/relaxation 0", "must be above 0", "simpleFoam")
+coupling("interval -1e-3;")
+refused("a negative coupling/interval", "must be positive", "simpleFoam")
+coupling("interval 1e-3;")
+refused("demPimpleFoam with steadyState", "demPimpleFoam needs Euler", "demPimpleFoam")
+
+# a mesh that moves while the particles rest before timeStart or after timeEnd; a mesh that changes its topology
+case = prepare("pimpleFoam", many + "coupling { rho 1000; }", "moving")
+case.write("constant/dynamicMeshDict", head("dictionary", "dynamicMeshDict") + """
+dynamicFvMesh dynamicMotionSolverFvMesh; motionSolverLibs ("libfvMotionSolvers.so");
+motionSolver solidBody; solidBodyMotionFunction linearMotion; velocity (0.001 0 0);
+""")
+solution = case.read("system/fvSolution")
+case.sub("system/fvSolution", "nOuterCorrectors [^;]*;", "nOuterCorrectors 2; moveMeshOuterCorrectors yes;")
+refused("a mesh that moves again in outer correctors", "The mesh moves again", "pimpleFoam")
+case.write("system/fvSolution", solution)
+case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.005;")
+refused("a mesh that moves before timeStart", "The mesh moves, but the particles have stood still", "pimpleFoam")
+
+case = prepare("interFoam", many, "changing")
+case.write("constant/dynamicMeshDict", head("dictionary", "dynamicMeshDict") + """
+dynamicFvMesh dynamicRefineFvMesh; refineInterval 1; field alpha.water;
+lowerRefineLevel 0.5; upperRefineLevel 1.5; unrefineLevel 10;
+nBufferLayers 1; maxRefinement 1; maxCells 10000; dumpLevel true;
+correctFluxes ( (phi none) (nHatf none) (rhoPhi none) (alphaPhi0.water none) (ghf none) );
+""")
+refused("a mesh that is refined", "The mesh changes", "interFoam")
+case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.005;")
+refused("a mesh that is refined before timeStart", "The mesh changes", "interFoam")
+finish()

@@ -1,0 +1,96 @@
+"""A periodic flow driven by meanVelocityForce: particles feel its pressure gradient, too.
+
+- Through a fixed bed the gradient is Gidaspow's, and the particles carry all of it.
+- In a laminar channel a sphere that feels the pressure gradient but not the viscous stress moves faster than the
+  fluid by d^2 g/(18 nu); a sphere that feels both moves with the fluid.
+- A restart continues with the same bits.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+
+
+def drive(case, velocity):
+    """Keep this mean velocity by an fvOption."""
+    case.write("constant/fvOptions", head("dictionary", "fvOptions") + f"""
+drive {{ type meanVelocityForce; selectionMode all; fields (U); Ubar {velocity}; }}
+""")
+
+
+def driving_gradient(case, solver="demPimpleFoam"):
+    """The last driving gradient over density [m/s2]."""
+    return float(case.found("^Pressure gradient source: .* pressure gradient = (.*)", solver)[1])
+
+
+# ---- a fixed bed: void fraction 0.6066 everywhere, superficial velocity 0.3 m/s --------------------
+
+
+def gidaspow(e, U):
+    """Gidaspow's gradient over density [m/s2], implemented in ../fixedBed from its sources."""
+    s, d, mu, rho, w = 1 - e, 1e-3, 1.8e-5, 1.2, U/e
+    Re = rho*U*d/mu
+    ergun = 150*s*s*mu/(e*d*d) + 1.75*s*rho*w/d
+    wenYu = 0.75*24/Re*(1 + 0.15*Re**0.687)*rho*w*e*s/d*e**-2.65
+    phi = math.atan(150*1.75*(0.2 - s))/math.pi + 0.5
+    return (phi*wenYu + (1 - phi)*ergun)*w/e/rho
+
+
+case = Case("bed", "fixedBed")
+case.sub("system/blockMeshDict", "inlet { type patch;", "inlet { type cyclic; neighbourPatch outlet;")
+case.sub("system/blockMeshDict", "outlet { type patch;", "outlet { type cyclic; neighbourPatch inlet;")
+case.sub("system/blockMeshDict", "0.0396", "0.022")
+case.sub("system/blockMeshDict", "5 5 18", "5 5 10")
+for field, wall in (("U", "slip"), ("p", "zeroGradient")):
+    case.sub(f"0/{field}", "(inlet|outlet) {.*", r"\1 { type cyclic; }")
+    case.sub(f"0/{field}", "sides {.*", f"sides {{ type {wall}; }}")
+case.edit("0/U", internalField="uniform (0 0 0.494560)")
+case.edit("system/controlDict", endTime=0.1, writeInterval=0.05, writePrecision=17)
+drive(case, "(0 0 0.494560)")
+case.run("blockMesh")
+case.run("demPimpleFoam")
+claim_ran("bed: runs", case)
+claim("bed: the driving gradient is the closure's (0.1 %)",
+      close(driving_gradient(case), gidaspow(1 - math.pi/6/1.331, 0.3), 0.001))
+claim("bed: exchange closes", worst(case.log(), "exchange error") < 1e-12)
+(case/"0.1").rename(case/"straight")
+case.edit("system/controlDict", startFrom="latestTime")
+case.run("demPimpleFoam")
+claim("bed: a restart has the same bits", lambda: agrees(case/"straight/U", case/"0.1/U"))
+
+# ---- a channel between plates 12 mm apart ----------------------------------------------------------
+
+
+def channel(solver, stress):
+    case = Case(f"channel.{solver}.{stress}")
+    what = f"channel, {solver}, viscous stress {'yes' if stress else 'no'}"
+    drive(case, "(0.05 0 0)")
+    case.edit("constant/transportProperties", nu=1e-4)
+    viscous = "viscousStress {}" if stress else ""
+    case.write("constant/demProperties", head("dictionary", "demProperties") + f"""
+materials {{ neutral {{ density 1000; youngsModulus 1e6; }} }}
+effects {{ hertz {{}} dry {{ restitution 0.9; }} stokesDrag {{}} pressureGradient {{}} {viscous} }}
+insert {{ line {{ type list; diameter 8e-4; velocity (0.05 0 0);
+                positions ((0.001 0.0005 0.0005) (0.001 0.0025 0.0005) (0.001 0.0055 0.0005)); }} }}
+coupling {{ rho 1000; twoWay no; kernel particleCentre; walls (plates); }}
+""")
+    if solver == "pimpleFoam":
+        case.append("system/controlDict", function_object)
+    case.run("blockMesh")
+    case.run(solver)
+    claim_ran(f"{what}: runs", case, solver)
+    # nu 1e-4 m2/s, mean velocity 0.05 m/s: 12 nu U/h^2, less the error of 12 cells across (1 %)
+    g = driving_gradient(case, solver)
+    claim(f"{what}: the gradient is Poiseuille's (2 %)", close(g, 12*1e-4*0.05/0.012**2, 0.02))
+    # each sphere is in the middle of its cell, in the rows 0, 2 and 5 of 6 x 12 cells of 1 mm
+    fluid = case.field("1/U").reshape(12, 6, 3)[[0, 2, 5], 5, 0]
+    slip = case.particles("1", "U")[:, 1] - fluid
+    ahead = 8e-4**2*g/(18*1e-4)
+    claim(f"{what}: the slip has the closed form (1 % of d^2 g/(18 nu))",
+          difference(slip, np.full(3, 0 if stress else ahead)) < 0.01*ahead)
+
+
+for solver in ("demPimpleFoam", "pimpleFoam"):
+    for stress in (False, True):
+        if thorough or stress == (solver == "pimpleFoam"):
+            channel(solver, stress)
+finish()
