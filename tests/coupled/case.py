@@ -263,7 +263,8 @@ functions {{ {functions} }}""")
             command = ["mpirun", "-np", str(ranks), *options, *command, "-parallel"]
         with open(self/name, "w") as out:
             process = subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
-                                       stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path), **(env or {})},
+                                       stderr=subprocess.STDOUT,
+                                       env={**os.environ, "PWD": str(self.path), **(env or {})},
                                        start_new_session=True)
             status = _wait(process, limit)
         return Run(status, self.read(name))
@@ -444,8 +445,8 @@ def close(a, b, share):
 
 
 def worst(log, key):
-    """The largest number after "key " in a log; an error when there is none."""
-    return max(float(number) for number in re.findall(rf"{re.escape(key)} ([-+0-9.e]+)", log))
+    """The largest number after "key " in a log, nan when one of them is; an error when there is none."""
+    return float(np.max([float(number) for number in re.findall(rf"{re.escape(key)} ([-+0-9.einfa]+)", log)]))
 
 
 def agrees(a, b):
