@@ -1,5 +1,6 @@
 /*
- * dem_case.h -- struct dem_case, what will run: the run that is made, and what only its making needs.
+ * dem_case.h -- struct dem_case, what will run: the run that is made, and what only its making
+ * needs.
  *
  * The files of case/ take the case; the folders above see struct dem only.
  *
@@ -58,8 +59,8 @@ int dem_api_read_scene(struct dem_case *);
 /* Checks that need no particles, of a scene that has been read and whose walls exist. */
 int dem_api_check_scene(struct dem_case *);
 
-/* Collective. Once all radii are known: freeze the interaction table, choose the time step, finish the
-   walls. */
+/* Collective. Once all radii are known: freeze the interaction table, choose the time step, finish
+   the walls. */
 int dem_api_finish_physics(struct dem *);
 
 /* Collective. Create the particles, on each rank a part of them; reduce their radii by material
@@ -72,8 +73,8 @@ int dem_api_join_initial(struct dem_case *);
 void dem_api_init_fluid(struct dem *);
 int dem_api_begin_flows(struct dem_case *);
 
-/* Refuse overlaps at the start: of all particles, with the lists of the first step; of those from the
-   state of another run with walls; of those inserted at a restart. */
+/* Refuse overlaps at the start: of all particles, with the lists of the first step; of those from
+   the state of another run with walls; of those inserted at a restart. */
 int dem_api_refuse_overlap(struct dem *);
 int dem_api_check_start(struct dem_case *);
 int dem_api_check_inserted(struct dem_case *);

@@ -1,9 +1,9 @@
 /*
- * describe.c -- the public calls that say what will run: scene, walls, regions, patches and particles
- * of the program, a snapshot, and what is asked of the run besides.
+ * describe.c -- the public calls that say what will run: scene, walls, regions, patches and
+ * particles of the program, a snapshot, and what is asked of the run besides.
  *
- * A caller may trap floating-point exceptions (OpenFOAM does); calls that compute hold the traps and
- * restore them.
+ * A caller may trap floating-point exceptions (OpenFOAM does); calls that compute hold the traps
+ * and restore them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

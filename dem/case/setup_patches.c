@@ -1,6 +1,6 @@
 /*
- * setup_patches.c -- patches of the program: their triangles and the fluid's velocity on each, gathered
- * from all ranks and given to the streams that enter through them.
+ * setup_patches.c -- patches of the program: their triangles and the fluid's velocity on each,
+ * gathered from all ranks and given to the streams that enter through them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

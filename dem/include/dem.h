@@ -129,15 +129,15 @@ int dem_case_add_particles(struct dem_case *, int64_t n, const struct dem_new_pa
 int dem_case_load(struct dem_case *, const char *path);
 
 /* The same for a state that another run has made, as the scene's entry `start` does, whose other
-   entries hold if the scene has one: dem_start refuses an overlap with a wall of more than 0.05 of a
-   diameter that is also more than twice the largest between particles (dem_start_overlap). */
+   entries hold if the scene has one: dem_start refuses an overlap with a wall of more than 0.05 of
+   a diameter that is also more than twice the largest between particles (dem_start_overlap). */
 int dem_case_start_from(struct dem_case *, const char *path);
 
 /* What only some runs need. The energy balance, for dem_energy. The orientation of each particle, a
    unit quaternion (cos(a/2), n sin(a/2)): the rotation by the angle a about the axis n since the
-   start, or since the first run that has integrated it (snapshots hold it); no effect depends on it.
-   The forces of all contacts, for dem_virial: 64 bytes a candidate contact, 96 with moments; some
-   180 a particle of a dense bed. */
+   start, or since the first run that has integrated it (snapshots hold it); no effect depends on
+   it. The forces of all contacts, for dem_virial: 64 bytes a candidate contact, 96 with moments;
+   some 180 a particle of a dense bed. */
 int dem_case_enable_energy(struct dem_case *);
 int dem_case_enable_orientation(struct dem_case *);
 int dem_case_enable_virial(struct dem_case *);
@@ -146,8 +146,8 @@ int dem_case_enable_virial(struct dem_case *);
 int dem_case_read_quiet(const struct dem_case *, struct dem_quiet *);
 
 /* Collective. Read the scene and check all that can be checked before particles are placed, which
-   may take long. Entries that nothing has read are refused. From then on the case is not changed any
-   more. After an error it can only be freed. */
+   may take long. Entries that nothing has read are refused. From then on the case is not changed
+   any more. After an error it can only be freed. */
 int dem_case_check(struct dem_case *);
 
 /* What dem_case_check has found, for the calls below that take const struct dem *: names and
@@ -155,9 +155,10 @@ int dem_case_check(struct dem_case *);
    no particles yet. NULL before, and after an error. Valid until dem_start or dem_case_free. */
 const struct dem *dem_case_checked(const struct dem_case *);
 
-/* Collective. Start: check, unless dem_case_check has done it, freeze the laws, insert the particles or
-   load the snapshot, distribute particles to ranks. Takes long for dense random packings. The case
-   is gone and its pointer NULL, also after an error; the pointer to the run is then NULL, too. */
+/* Collective. Start: check, unless dem_case_check has done it, freeze the laws, insert the
+   particles or load the snapshot, distribute particles to ranks. Takes long for dense random
+   packings. The case is gone and its pointer NULL, also after an error; the pointer to the run is
+   then NULL, too. */
 int dem_start(struct dem_case **, struct dem **);
 
 void dem_free(struct dem *);  /* collective; NULL is allowed */
@@ -165,17 +166,17 @@ void dem_free(struct dem *);  /* collective; NULL is allowed */
 /* ---- entries of the scene that belong to the program ----------------------------------------- */
 
 /* The scene's dictionary (functions in input/dictionary.h). Read entries of the program before
-   dem_case_check, which refuses those that nothing has read. NULL before a scene is read; valid until
-   the case or the run is freed. */
+   dem_case_check, which refuses those that nothing has read. NULL before a scene is read; valid
+   until the case or the run is freed. */
 struct dem_dict;
 const struct dem_dict *dem_case_dict(const struct dem_case *);
 const struct dem_dict *dem_scene_dict(const struct dem *);
 
-/* The same without that header, by path ("time/end"), for other languages. dem_scene_value: the text
-   of a value, its words separated by blanks, valid until the next call of this thread; NULL for a
-   group, and where there is no entry. dem_scene_name: the name of entry k of a group, from 0 ("" is
-   the whole scene); NULL behind the last. dem_scene_skip: nothing will read this entry or group. The
-   first and the last count as reading it. */
+/* The same without that header, by path ("time/end"), for other languages. dem_scene_value: the
+   text of a value, its words separated by blanks, valid until the next call of this thread; NULL
+   for a group, and where there is no entry. dem_scene_name: the name of entry k of a group, from 0
+   ("" is the whole scene); NULL behind the last. dem_scene_skip: nothing will read this entry or
+   group. The first and the last count as reading it. */
 const char *dem_scene_value(const struct dem_dict *, const char *path);
 const char *dem_scene_name(const struct dem_dict *, const char *path, int k);
 void dem_scene_skip(const struct dem_dict *, const char *path);
@@ -224,17 +225,17 @@ int dem_profile(struct dem *, struct dem_profile *);
 /* Collective. The profile as text, the same on all ranks, valid until the next call or dem_free. */
 int dem_profile_text(struct dem *, const char **text);
 
-/* Collective. The energy balance: kinetic and elastic energies are the present ones, all other terms
-   are sums since the time *since [s]. Terms of all ranks, in the same order at each call; valid
-   until the next. An error in a run that keeps none. */
+/* Collective. The energy balance: kinetic and elastic energies are the present ones, all other
+   terms are sums since the time *since [s]. Terms of all ranks, in the same order at each call;
+   valid until the next. An error in a run that keeps none. */
 int dem_energy(struct dem *, double *since, int *n, const struct dem_energy_item **item);
 
 /* Collective. The number of particles with more kinetic energy than `energy` [J], translation
    and rotation. */
 int dem_count_moving(struct dem *, double energy, int64_t *n);
 
-/* Rest, as time/untilQuiet defines it (dem_case_read_quiet). dem_quiet_check: an error when the scene
-   has no gravity to compare with. dem_quiet_tests: the number of tests in an interval [s].
+/* Rest, as time/untilQuiet defines it (dem_case_read_quiet). dem_quiet_check: an error when the
+   scene has no gravity to compare with. dem_quiet_tests: the number of tests in an interval [s].
    dem_quiet_test, collective, does nothing unless `wanted`: test with the present totals, set
    `reached`. */
 int dem_quiet_check(const struct dem *, const struct dem_quiet *);
@@ -297,10 +298,10 @@ int dem_wall_corners(struct dem *, int wall, double *corners);
 void dem_view(const struct dem *, struct dem_view *);
 
 /* Contact stress times volume [J] of each particle of the view: xx yy zz xy yz zx of the sum of
-   force times branch vector over its contacts, tension positive (records/virial.h). Sums
-   over a region divided by its volume are the contact stress. `virial` has 6 numbers a particle;
-   all are 0 after a load or restore, before the first step. An error in a run that does not keep the
-   forces of all contacts (dem_case_enable_virial). */
+   force times branch vector over its contacts, tension positive (records/virial.h). Sums over a
+   region divided by its volume are the contact stress. `virial` has 6 numbers a particle; all are 0
+   after a load or restore, before the first step. An error in a run that does not keep the forces
+   of all contacts (dem_case_enable_virial). */
 int dem_virial(struct dem *, double *virial);
 const char *dem_material_name(const struct dem *, int material);  /* "" for an unknown number */
 
@@ -319,12 +320,12 @@ int dem_scalar_count(const struct dem *);
 void dem_scalar_info(const struct dem *, int k, struct dem_scalar_info *);
 int dem_scalar_index(const struct dem *, const char *name);
 
-/* The values of scalar k of the owned particles, in the order of dem_view, to be read or, between two
-   advances, written. Valid until the next collective call. NULL for another number. */
+/* The values of scalar k of the owned particles, in the order of dem_view, to be read or, between
+   two advances, written. Valid until the next collective call. NULL for another number. */
 double *dem_scalar(struct dem *, int k);
 
-/* Collective. The sum of C s over all particles, of scalar k with the capacity C: of the temperature,
-   the heat of the particles above 0 K [J]. */
+/* Collective. The sum of C s over all particles, of scalar k with the capacity C: of the
+   temperature, the heat of the particles above 0 K [J]. */
 int dem_scalar_total(struct dem *, int k, double *total);
 
 /* ---- effects of the scene -------------------------------------------------------------------- */
@@ -334,23 +335,23 @@ int dem_scalar_total(struct dem *, int k, double *total);
 const char *dem_effect_names(const struct dem *);
 const char *dem_fluid_effect_names(const struct dem *);
 
-/* Sets g to the uniform acceleration of all particles [m/s2], zero without one. Returns 1 if an effect
-   of the scene gives it, else 0. */
+/* Sets g to the uniform acceleration of all particles [m/s2], zero without one. Returns 1 if an
+   effect of the scene gives it, else 0. */
 int dem_gravity_acceleration(const struct dem *, double g[3]);
 
 /* ---- save and restore ------------------------------------------------------------------------ */
 
-/* Collective. Write a snapshot: all ranks write one temporary file, which is verified, flushed to disk
-   and renamed, so that a file of that name stays until the new one is complete. A snapshot loads on
-   any number of ranks and the run continues with the same bits. After a dem_advance that failed it is
-   refused, until dem_restore: a good snapshot stays. */
+/* Collective. Write a snapshot: all ranks write one temporary file, which is verified, flushed to
+   disk and renamed, so that a file of that name stays until the new one is complete. A snapshot
+   loads on any number of ranks and the run continues with the same bits. After a dem_advance that
+   failed it is refused, until dem_restore: a good snapshot stays. */
 int dem_save(struct dem *, const char *path);
 
 /* Not collective; needs no simulation. The hash of the state in a snapshot, as dem_hash returns
    it. */
 int dem_snapshot_hash(const char *path, uint64_t *hash);
 
-/* The largest overlaps that a start from the state of another run has found; zeros without a check. */
+/* The largest overlaps that dem_case_start_from has found at the start; zeros without it. */
 void dem_start_overlap(const struct dem *, struct dem_start_overlap *);
 
 /* Collective. Backups in memory, for the case that the run fails: one now, and one in

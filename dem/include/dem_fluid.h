@@ -1,7 +1,7 @@
 /*
- * dem_fluid.h -- what a program needs that solves a fluid around the particles: columns of fluid values
- * at the particles, their forces on the fluid, the exchange of scalars such as heat, patches through
- * which particles enter and leave.
+ * dem_fluid.h -- what a program needs that solves a fluid around the particles: columns of fluid
+ * values at the particles, their forces on the fluid, the exchange of scalars such as heat, patches
+ * through which particles enter and leave.
  *
  *     dem_case_add_patch, dem_case_flows_on_request, dem_case_fluid_... on the case; dem_start
  *     each fluid step:  dem_flow_apply; fill the columns of dem_fluid; dem_advance;
@@ -28,16 +28,16 @@ extern "C" {
    dense suspensions of light particles oscillate from step to step. */
 void dem_case_fluid_displaced(struct dem_case *, double density);
 
-/* The coupled fluid has this density [kg/m3] everywhere. The effect stokes then counts added mass in
-   its Stokes number. */
+/* The coupled fluid has this density [kg/m3] everywhere. The effect stokes then counts added mass
+   in its Stokes number. */
 void dem_case_fluid_density(struct dem_case *, double density);
 
 /* Before dem_case_check. The program exchanges this scalar of the scene's effects:
    dem_scalar_exchange gives columns also where no fluid effect of the scene exchanges it. */
 int dem_case_exchange_scalar(struct dem_case *, const char *name);
 
-/* Before dem_case_check, for a program that must know all particles before it advances them: streams
-   and outlets act in dem_flow_apply only, and the scene may name patches of a mesh. */
+/* Before dem_case_check, for a program that must know all particles before it advances them:
+   streams and outlets act in dem_flow_apply only, and the scene may name patches of a mesh. */
 int dem_case_flows_on_request(struct dem_case *);
 
 /* Collective, before dem_case_check, for each patch of the scene's `insert`. A patch through which
@@ -107,10 +107,10 @@ int dem_require_fluid(const struct dem *);
    own `fluid`. */
 int dem_fluid(struct dem *, struct dem_fluid *);
 
-/* yes: drag is the law's b over the void fraction, the whole force of a steady uniform flow,
-   which contains the force of its pressure gradient (set III of Zhou, Kuang, Chu, Yu, J. Fluid Mech.
-   661 (2010) 482, "simplified model B"); the pressure gradient column must then be the
-   hydrostatic one. no: the law's own b. Holds until the next call; not saved in snapshots. */
+/* yes: drag is the law's b over the void fraction, the whole force of a steady uniform flow, which
+   contains the force of its pressure gradient (set III of Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661
+   (2010) 482, "simplified model B"); the pressure gradient column must then be the hydrostatic one.
+   no: the law's own b. Holds until the next call; not saved in snapshots. */
 void dem_fluid_whole_drag(struct dem *, int yes);
 
 /* After an advance, where the column exists: set under_relaxation for the next one
@@ -144,10 +144,10 @@ int dem_fluid_correct(struct dem *, const double *velocity, const double *pressu
 
 /* ---- exchange of a particle scalar ----------------------------------------------------------- */
 
-/* exchange of a scalar s with a fluid or the program over an advance: C ds/dt = q + B (s* - s), with
-   the capacity C and B the sum of the coefficients of effects and of the program. Columns of owned
-   particles, contiguous; in: the program writes them before dem_advance, they stay until it does so
-   again; out: it reads them after. docs/adding-an-effect.md */
+/* exchange of a scalar s with a fluid or the program over an advance: C ds/dt = q + B (s* - s),
+   with the capacity C and B the sum of the coefficients of effects and of the program. Columns of
+   owned particles, contiguous; in: the program writes them before dem_advance, they stay until it
+   does so again; out: it reads them after. docs/adding-an-effect.md */
 struct dem_scalar_exchange
 {
     size_t n;                    /* particles */

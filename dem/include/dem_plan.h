@@ -1,6 +1,6 @@
 /*
- * dem_plan.h -- advice on a run before and while it runs: plan, warnings, verdicts on effects; and the
- * library's list of effects as text.
+ * dem_plan.h -- advice on a run before and while it runs: plan, warnings, verdicts on effects; and
+ * the library's list of effects as text.
  *
  * dem.h has the rules for return values, ownership and collective calls.
  *
@@ -45,20 +45,21 @@ struct dem_run_info
 
 /* Collective; in coupled runs after the fluid columns have been written. A report on the run ahead:
    effects, walls, particles, time step, bed, fluid, memory and run time, as lines of text, the same
-   on all ranks, valid until the next dem_plan or dem_free. Measures steps of as many particles as a rank has, at most 250000, for a tenth of a second or 20
-   steps. No particle moves; views stay valid. */
+   on all ranks, valid until the next dem_plan or dem_free. Measures steps of as many particles as a
+   rank has, at most 250000, for a tenth of a second or 20 steps. No particle moves; views stay
+   valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 
-/* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a numbered
-   list under the line WARNINGS, each item with the entry to change; *text is "" when there is
-   nothing. `own`: n sentences of the program, which come first. Valid until the next call. */
+/* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a
+   numbered list under the line WARNINGS, each item with the entry to change; *text is "" when there
+   is nothing. `own`: n sentences of the program, which come first. Valid until the next call. */
 int dem_warnings(struct dem *, const struct dem_run_info *, int n, const char *const *own,
                  const char **text);
 
 /* Collective, between two advances, with the largest overlap that dem_totals has returned since the
-   last call. *text: a sentence when contacts overlap by more than 10 %, or when a particle is faster
-   than impactSpeed so that its impacts will overlap by more than 5 %, with the settings to take;
-   "" otherwise, and when it was said before, unless it has grown by half. */
+   last call. *text: a sentence when contacts overlap by more than 10 %, or when a particle is
+   faster than impactSpeed so that its impacts will overlap by more than 5 %, with the settings to
+   take; "" otherwise, and when it was said before, unless it has grown by half. */
 int dem_impact_warning(struct dem *, double overlap, const char **text);
 
 /* Collective. The slab of the bed between 10 and 90 % of the volume of the particles
@@ -96,9 +97,9 @@ int dem_verdicts(const struct dem *, const struct dem_verdict **);
 /* The name of effect number k of the library's list, from 0; NULL for another number. */
 const char *dem_effect_name(int k);
 
-/* An effect as text: name, stage, what it does, source, limitation; each setting with unit, default,
-   range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has. *text is
-   valid until the next call of this thread. */
+/* An effect as text: name, stage, what it does, source, limitation; each setting with unit,
+   default, range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has.
+   *text is valid until the next call of this thread. */
 int dem_effect_text(const char *effect, const char **text);
 
 /* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */

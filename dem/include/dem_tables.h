@@ -1,7 +1,7 @@
 /*
- * dem_tables.h -- files that programs around the library write: CSV tables of a run, averages and bonds
- * for ParaView; means of time series; and what a program needs that is stopped by signals or a file and
- * that writes into a folder of its own.
+ * dem_tables.h -- files that programs around the library write: CSV tables of a run, averages and
+ * bonds for ParaView; means of time series; and what a program needs that is stopped by signals or
+ * a file and that writes into a folder of its own.
  *
  * dem.h has the rules for return values, ownership and collective calls.
  *
@@ -22,10 +22,10 @@ struct dem;
 
 /* ---- tables of a run ------------------------------------------------------------------------- */
 
-/* CSV tables that grow by rows: lost.csv, bonds.csv, flows.csv, walls.csv, energy.csv, and others of
-   the caller; docs/output.md describes their columns. The first line has the names of the columns;
-   the file is made with the first row, and effects.csv beside it names the effects of the run. What
-   follows is called on one rank, unless it says collective. */
+/* CSV tables that grow by rows: lost.csv, bonds.csv, flows.csv, walls.csv, energy.csv, and others
+   of the caller; docs/output.md describes their columns. The first line has the names of the
+   columns; the file is made with the first row, and effects.csv beside it names the effects of the
+   run. What follows is called on one rank, unless it says collective. */
 /* a table of a run: dem_table_name */
 struct dem_table
 {
@@ -33,8 +33,8 @@ struct dem_table
     double start;     /* s  time at which the run starts */
 };
 
-/* Name a table, for example "lost.csv" in a folder. Touches no file. The calls below refuse a folder
-   whose path is too long. */
+/* Name a table, for example "lost.csv" in a folder. Touches no file. The calls below refuse a
+   folder whose path is too long. */
 void dem_table_name(struct dem_table *, const char *folder, const char *file, double start);
 
 /* Before the first row: what an earlier run may have left. The file is removed if the run starts at
@@ -141,9 +141,9 @@ void dem_keep_signals(void);
 /* A stop for a run that signals do not reach: a file, as a rule `stop` in the run's folder.
    dem_stop_file_look, between two steps on one rank, also in the function of dem_set_progress: look
    for it, at most once a second of the clock; when it is there, remove it and store DEM_STOP_FILE
-   where dem_catch_signals stores the number of a signal.
-   dem_stop_file_clear, before the first step: remove one that was there before; *found: 1 when it was.
-   An error when it is there and cannot be removed. */
+   where dem_catch_signals stores the number of a signal. dem_stop_file_clear, before the first
+   step: remove one that was there before; *found: 1 when it was. An error when it is there and
+   cannot be removed. */
 int dem_stop_file_clear(const char *path, int *found);
 void dem_stop_file_look(const char *path);
 

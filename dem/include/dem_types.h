@@ -3,8 +3,8 @@
  * that the functions of dem.h take and fill.
  *
  * The sections are the same as in dem.h, which says when a struct is filled and how long it is
- * valid; structs of other public headers are in those. This header includes nothing of the library, so
- * all of its folders may include it. Units are SI; vectors are x, y, z; "1" marks a pure number.
+ * valid; structs of other public headers are in those. This header includes nothing of the library,
+ * so all of its folders may include it. Units are SI; vectors are x, y, z; "1" marks a pure number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -80,7 +80,7 @@ struct dem_totals
     double weight;              /* N  of the moving particles; 0 without gravity */
 };
 
-/* time/untilQuiet: settings, and what the tests have found; docs/scene-reference.md explains them */
+/* time/untilQuiet: settings, and what the tests have found; see docs/scene-reference.md */
 struct dem_quiet
 {
     int wanted;          /* 1: the scene has the entry */

@@ -1,9 +1,9 @@
 /*
  * dem.c -- the public calls that advance a run, move its walls, and save and restore it.
  *
- * Queries are in query.c, the fluid in fluid_api.c, streams and outlets in inflow_api.c; case/ starts
- * the run and frees it. A caller may trap floating-point exceptions (OpenFOAM does); calls that compute hold
- * the traps and restore them.
+ * Queries are in query.c, the fluid in fluid_api.c, streams and outlets in inflow_api.c; case/
+ * starts the run and frees it. A caller may trap floating-point exceptions (OpenFOAM does); calls
+ * that compute hold the traps and restore them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -29,8 +29,8 @@ static void refused(int status, const char *word, const char *what)
     }
 }
 
-/* What the types leave to be refused: a case without a scene, two scenes, changes of a case that has
-   been checked. */
+/* What the types leave to be refused: a case without a scene, two scenes, changes of a case that
+   has been checked. */
 static void order(void)
 {
     const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
