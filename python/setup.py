@@ -31,8 +31,8 @@ class WithCore(build_py):
         target = Path(self.build_lib)/"suna"
         shutil.copy(CORE/"build"/"libdem.so", target)
         (target/"include").mkdir(exist_ok=True)
-        for header in ("dem.h", "dem_types.h"):
-            shutil.copy(CORE/"include"/header, target/"include")
+        for header in (CORE/"include").glob("*.h"):
+            shutil.copy(header, target/"include")
 
 
 class WithSources(sdist):

@@ -17,6 +17,7 @@ PYTHON     ?= $(firstword $(wildcard /usr/bin/python3) python3)
 PYTHONDIR  ?= $(shell $(PYTHON) install/python_folder $(PREFIX))
 
 VERSION   := $(shell sed -n 's/^\#define DEM_VERSION "\(.*\)"/\1/p' include/dem.h)
+HEADERS   := $(sort $(wildcard include/*.h))
 SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
 STAGE      = $(BUILD)/stage
 PACKAGES   = suna suna_cost suna_import
@@ -46,7 +47,7 @@ stage: all $(BUILD)/man/dem.1
 	$Qrm -rf $(STAGE)
 	$Qinstall -d $(STAGE)$(BINDIR) $(STAGE)$(LIBDIR)/pkgconfig $(STAGE)$(LIBDIR)/cmake/suna
 	$Qinstall $(BUILD)/dem $(SCRIPTS) $(STAGE)$(BINDIR)
-	$Qinstall -m 644 -Dt $(STAGE)$(INCLUDEDIR) include/dem.h include/dem_types.h
+	$Qinstall -m 644 -Dt $(STAGE)$(INCLUDEDIR) $(HEADERS)
 	$Qinstall -m 644 $(LIBRARY) $(STAGE)$(LIBDIR)
 	$Qinstall -m 644 $(BUILD)/libdem.so $(STAGE)$(LIBDIR)/libdem.so.$(VERSION)
 	$Qln -s libdem.so.$(VERSION) $(STAGE)$(LIBDIR)/$(SONAME)
@@ -55,7 +56,7 @@ stage: all $(BUILD)/man/dem.1
 	$Q$(call fill,sunaConfig.cmake.in,cmake/suna/sunaConfig.cmake)
 	$Q$(call fill,sunaConfigVersion.cmake.in,cmake/suna/sunaConfigVersion.cmake)
 	$Qcd ../python && find $(PACKAGES) -name '*.py' -exec install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{} \;
-	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include include/dem.h include/dem_types.h
+	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include $(HEADERS)
 	$Qln -s $$(realpath -ms --relative-to=$(PYTHONDIR)/suna $(LIBDIR))/$(SONAME) $(STAGE)$(PYTHONDIR)/suna/libdem.so
 	$Qinstall -m 644 -Dt $(STAGE)$(MANDIR)/man1 $(BUILD)/man/*.1
 

@@ -1,5 +1,5 @@
-"""_core.py -- the core's object behind a simulation: who may use it when, and what it returns as
-copies.
+"""_core.py -- the core's objects behind a simulation, a case and its run: who may use them when, and
+what they return as copies.
 
 What the library returns lies in its own memory, which moves or goes with the next call that changes
 the simulation, while Python may keep an array for ever. So nothing leaves this file that points into
@@ -46,42 +46,73 @@ def column(pointer, n, width=1, stride=None):
 
 
 class Core:
-    """struct dem of one simulation. Each use is `with core.use() as d`. It is refused when the
-    simulation is closed, while another thread is in a call of it (cffi lets other threads run), and
-    in a function that an advance calls."""
+    """struct dem_case of one simulation until it starts, struct dem from then on. Each use is
+    `with core.case("call") as c`, `with core.run() as d`, which starts the run if need be, or
+    `with core.scene() as scene`. It is refused when the simulation is closed, while another thread
+    is in a call of it (cffi lets other threads run), and in a function that an advance calls."""
 
     def __init__(self, comm):
-        out = ffi.new("struct dem **")
-        self._d, self._lock, self._advances = None, threading.RLock(), False
-        check(lib.dem_create_fortran(out, -1 if comm is None else comm.py2f()))
+        self._case, self._run = ffi.new("struct dem_case **"), ffi.new("struct dem **")
+        self._lock, self._advances, self.closed = threading.RLock(), False, True
+        check(lib.dem_case_create_fortran(self._case, -1 if comm is None else comm.py2f()))
         # as the core, which duplicates it too: the caller may free it
-        self._d, self._comm = out[0], comm.Dup() if comm else None
+        self.closed, self._comm = False, comm.Dup() if comm else None
 
     @property
-    def closed(self):
-        return self._d is None
+    def started(self):
+        return self._run[0] != ffi.NULL
 
     @contextmanager
-    def use(self):
+    def _use(self):
         if not self._lock.acquire(blocking=False):
             raise SunaError("the simulation is in use by another thread; use it from one thread at a "
                             "time")
         try:
-            if self._d is None:
+            if self.closed:
                 raise SunaError("the simulation is closed; create another one, for example from a "
                                 "snapshot")
             if self._advances:
                 raise SunaError("the simulation is advancing; a progress function must not use it, "
                                 "only the time and the steps that it gets")
-            yield self._d
+            yield
         finally:
             self._lock.release()
 
+    def _require_one(self):
+        if not self.started and self._case[0] == ffi.NULL:
+            raise SunaError("the set-up of the simulation has failed; start again with another one")
+
+    @contextmanager
+    def case(self, what):
+        with self._use():
+            self._require_one()
+            if self.started:
+                raise SunaError(f"{what}: the simulation is set up already; call it before anything "
+                                "that looks at particles or advances")
+            yield self._case[0]
+
+    @contextmanager
+    def run(self):
+        with self._use():
+            self._require_one()
+            if not self.started:
+                check(lib.dem_start(self._case, self._run))
+            yield self._run[0]
+
+    @contextmanager
+    def scene(self):
+        with self._use():
+            self._require_one()
+            yield (lib.dem_scene_dict(self._run[0]) if self.started
+                   else lib.dem_case_dict(self._case[0]))
+
     def close(self):
-        if self._d is not None:
-            with self.use() as d:
-                self._d = None
-                lib.dem_free(d)
+        if not self.closed:
+            with self._use():
+                self.closed = True
+                lib.dem_case_free(self._case[0])
+                lib.dem_free(self._run[0])
+                self._case[0] = self._run[0] = ffi.NULL
                 if self._comm is not None:
                     self._comm.Free()
 
@@ -98,7 +129,7 @@ class Core:
                 fault, asked[0] = error, RAISED
 
         call = ffi.NULL if progress is None else ffi.callback("void(void *, double, int64_t)", report)
-        with self.use() as d, _interrupt() as asked:
+        with self.run() as d, _interrupt() as asked:
             lib.dem_set_stop_flag(d, asked)
             lib.dem_set_progress(d, every, call, ffi.NULL)
             self._advances = True

@@ -13,6 +13,7 @@ from pathlib import Path
 import cffi
 
 HERE = Path(__file__).resolve().parent
+HEADERS = ("dem_types.h", "dem.h", "dem_fluid.h", "dem_tables.h", "dem_plan.h")
 
 
 def declarations(text):
@@ -45,7 +46,7 @@ def load():
     headers, library = find()
     ffi = cffi.FFI()
     ffi.cdef("typedef struct ompi_communicator_t *MPI_Comm; typedef int sig_atomic_t;")
-    for name in ("dem_types.h", "dem.h"):
+    for name in HEADERS:
         ffi.cdef(declarations((headers/name).read_text()))
     try:
         return ffi, ffi.dlopen(str(library))

@@ -81,42 +81,42 @@ class Simulation:
         if comm is not None and not hasattr(comm, "py2f"):
             raise SunaError(f"comm is {comm!r}; give a communicator of mpi4py")
         wanted = [(call, switch(name, value)) for name, value, call in
-                  (("energy", energy, lib.dem_energy_enable),
-                   ("orientation", orientation, lib.dem_orientation_enable),
-                   ("virial", virial, lib.dem_virial_enable))]
-        self._core, self._ready = Core(comm), False
+                  (("energy", energy, lib.dem_case_enable_energy),
+                   ("orientation", orientation, lib.dem_case_enable_orientation),
+                   ("virial", virial, lib.dem_case_enable_virial))]
+        self._core = Core(comm)
         try:
-            with self._core.use() as d:
-                self._read(d, scene)
-                self._override(d, settings)
+            with self._core.case("Simulation") as c:
+                self._read(c, scene)
+                self._override(c, settings)
                 for entry in PROGRAM:
-                    lib.dem_scene_skip(d, entry.encode())
+                    lib.dem_scene_skip(lib.dem_case_dict(c), entry.encode())
                 if without is not None:
-                    check(lib.dem_remove_effect(d, text("without", without)))
+                    check(lib.dem_case_remove_effect(c, text("without", without)))
                 if start is not None:
-                    check(lib.dem_load(d, file_name("start", start)))
+                    check(lib.dem_case_load(c, file_name("start", start)))
                 for call, on in wanted:
                     if on:
-                        check(call(d))
+                        check(call(c))
         except BaseException:
             self.close()
             raise
 
     @staticmethod
-    def _read(d, scene):
+    def _read(c, scene):
         given = text("scene", as_scene(scene)) if isinstance(scene, dict) else file_name("scene", scene)
         if isinstance(scene, dict) or b"{" in given or b";" in given:
-            check(lib.dem_scene_text(d, given, b"scene"))
+            check(lib.dem_case_scene_text(c, given, b"scene"))
         else:
-            check(lib.dem_scene_file(d, given))
+            check(lib.dem_case_scene_file(c, given))
 
     @staticmethod
-    def _override(d, settings):
+    def _override(c, settings):
         if not isinstance(settings, (dict, type(None))):
             raise SunaError(f"settings is {settings!r}; give a dict, {{\"time/step\": 1e-6}}")
         for entry, value in (settings or {}).items():
-            check(lib.dem_set(d, text("a name in settings", entry),
-                              text(entry, as_text(f"settings, {entry}", value))))
+            check(lib.dem_case_set(c, text("a name in settings", entry),
+                                   text(entry, as_text(f"settings, {entry}", value))))
 
     def close(self):
         """Free the core's memory. Collective with a communicator."""
@@ -154,50 +154,40 @@ class Simulation:
         for k, p in enumerate(particles):
             p.position, p.velocity, p.spin = list(x[k]), list(v[k]), list(w[k])
             p.diameter, p.id, p.material, p.frozen = d[k], ids[k], names[k], held[k]
-        with self._before("add_particles") as core:
-            check(lib.dem_add_particles(core, n, particles))
+        with self._before("add_particles") as c:
+            check(lib.dem_case_add_particles(c, n, particles))
 
     def add_wall(self, name, material, triangles):
         """Add a wall of triangles, n x 3 x 3 [m]. Collective."""
         corners = vectors("triangles", triangles, 3, 3)
         name, material = text("name", name), text("material", material)
-        with self._before("add_wall") as d:
-            check(lib.dem_add_wall(d, name, material, len(corners),
-                                   ffi.cast("double *", corners.ctypes.data)))
+        with self._before("add_wall") as c:
+            check(lib.dem_case_add_wall(c, name, material, len(corners),
+                                        ffi.cast("double *", corners.ctypes.data)))
 
-    @contextmanager
     def _before(self, what):
-        with self._use() as d:
-            if self._ready:
-                raise SunaError(f"{what}: the simulation is set up already; call it before anything "
-                                "that looks at particles or advances")
-            yield d
+        return self._core_().case(what)
 
-    def _use(self):
+    def _core_(self):
         if self._core is None:
             raise SunaError("the simulation was never created; call Simulation(scene)")
-        return self._core.use()
+        return self._core
 
-    @contextmanager
     def _set_up(self):
-        with self._use() as d:
-            if not self._ready:
-                check(lib.dem_setup(d))
-                self._ready = True
-            yield d
+        return self._core_().run()
 
     def value(self, path):
         """Text of an entry of the scene, "time/end"; None where there is none."""
         path = text("path", path)
-        with self._use() as d:
-            found = lib.dem_scene_value(d, path)
+        with self._core_().scene() as scene:
+            found = lib.dem_scene_value(scene, path)
             return None if found == ffi.NULL else string(found)
 
     def names(self, path=""):
         """Names of the entries of a group of the scene"""
         path, found = text("path", path), []
-        with self._use() as d:
-            while (name := lib.dem_scene_name(d, path, len(found))) != ffi.NULL:
+        with self._core_().scene() as scene:
+            while (name := lib.dem_scene_name(scene, path, len(found))) != ffi.NULL:
                 found.append(string(name))
         return found
 
@@ -511,7 +501,7 @@ class Simulation:
     def __repr__(self):
         if self._core is None or self._core.closed:
             return "Simulation(closed)"
-        if not self._ready:
+        if not self._core.started:
             return "Simulation(not set up)"
         t = self.totals
         return (f"Simulation({t['particles']} particles, {len(self.walls)} walls, "
