@@ -14,6 +14,8 @@
 #   picture FILE NAME:BYTES   the items of a .vtp file, one a line, sorted: the named columns (the first
 #   ...                       is "points") with their bytes per item; the same lines from any ranks
 #   c_test SUITE/test_NAME    builds and runs a test in C, which prints its own TAP
+#   take COMMAND ...          a program that prints TAP (tap.py); its claims are counted with ours
+#   python_with MODULE ...    prints a python3 that has these modules
 #   differs, agrees, equals, lacks, thorough, brief    see claims.sh
 #   finish                    prints the plan and sets the exit status
 #
@@ -144,6 +146,30 @@ c_test()
     else
         claim "$1 can be built" false || sed 's/^/#   /' "$work/c_test.log" | tail -n 20
     fi
+}
+
+take()
+{
+    local line
+    while IFS= read -r line
+    do
+        case $line in
+        ok\ *) claims=$((claims + 1)); echo "ok $claims - ${line#ok * - }" ;;
+        not\ ok\ *) claims=$((claims + 1)) failures=$((failures + 1))
+            echo "not ok $claims - ${line#not ok * - }" ;;
+        '#'*) echo "$line" ;;
+        esac
+    done < <("$@" 2>&1 | tee "$work/taken")
+    claim "all these claims were made" grep -q '^1\.\.[1-9]' "$work/taken"
+}
+
+python_with()
+{
+    local python modules=$*
+    for python in ${SUNA_PYTHON+"$SUNA_PYTHON"} python3 /usr/bin/python3
+    do
+        "$python" -c "import ${modules// /, }" 2> /dev/null && echo "$python" && return
+    done
 }
 
 finish()

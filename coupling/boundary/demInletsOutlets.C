@@ -6,6 +6,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demInletsOutlets.H"
+#include "dem_fluid.h"
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demPassable.H"
@@ -66,7 +67,12 @@ Foam::labelList Foam::demInletsOutlets::patches
 }
 
 
-void Foam::demInletsOutlets::setPatches(::dem* d, const volVectorField* U) const
+template<class Give>
+void Foam::demInletsOutlets::givePatches
+(
+    const Give& give,
+    const volVectorField* U
+) const
 {
     for (const label patchi : inlets_)
     {
@@ -85,9 +91,8 @@ void Foam::demInletsOutlets::setPatches(::dem* d, const volVectorField* U) const
 
         demCheck
         (
-            dem_flow_patch
+            give
             (
-                d,
                 mesh_.boundaryMesh()[patchi].name().c_str(),
                 face.size(),
                 reinterpret_cast<const double*>(points.cdata()),
@@ -156,10 +161,17 @@ Foam::demInletsOutlets::demInletsOutlets(const fvMesh& mesh, const demDict& dict
 }
 
 
-void Foam::demInletsOutlets::add(::dem* d)
+void Foam::demInletsOutlets::add(::dem_case* c)
 {
-    demCheck(dem_flow_on_request(d));
-    setPatches(d, nullptr);
+    demCheck(dem_case_flows_on_request(c));
+    givePatches
+    (
+        [c](const char* name, const label n, const double* points, const double* U)
+        {
+            return dem_case_add_patch(c, name, n, points, U);
+        },
+        nullptr
+    );
 }
 
 
@@ -171,7 +183,14 @@ bool Foam::demInletsOutlets::pass(::dem* d, const volVectorField& U)
     {
         triangles_.gather(mesh_, passages_);
     }
-    setPatches(d, &U);
+    givePatches
+    (
+        [d](const char* name, const label n, const double* points, const double* U)
+        {
+            return dem_flow_patch(d, name, n, points, U);
+        },
+        &U
+    );
 
     forAll(outgoingId_, k)
     {

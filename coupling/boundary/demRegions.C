@@ -129,7 +129,7 @@ Foam::List<double> Foam::demRegions::surface(const bitSet& inside) const
 
 void Foam::demRegions::add
 (
-    ::dem* d,
+    ::dem_case* c,
     const word& name,
     const bool zone,
     const bitSet& inside
@@ -139,9 +139,9 @@ void Foam::demRegions::add
 
     demCheck
     (
-        dem_insert_region
+        dem_case_add_region
         (
-            d,
+            c,
             name.c_str(),
             zone,
             corners.size()/9,
@@ -158,7 +158,7 @@ Foam::demRegions::demRegions(const polyMesh& mesh, const demDict& dict)
 {}
 
 
-void Foam::demRegions::add(::dem* d) const
+void Foam::demRegions::add(::dem_case* c) const
 {
     wordHashSet added;
     bool whole = false;
@@ -179,12 +179,12 @@ void Foam::demRegions::add(::dem* d) const
         }
         if (mesh && !whole)
         {
-            add(d, "mesh", false, bitSet(mesh_.nCells(), true));
+            add(c, "mesh", false, bitSet(mesh_.nCells(), true));
             whole = true;
         }
         if (!zone.empty() && added.insert(zone))
         {
-            add(d, zone, true, cells(zone, group));
+            add(c, zone, true, cells(zone, group));
         }
     }
 }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demWalls.H"
+#include "dem.h"
 #include "demCheck.H"
 #include "demDomain.H"
 #include "demPassable.H"
@@ -101,7 +102,7 @@ static List<double> triangles(const Time& time, const dictionary& wall)
 
 static void addWall
 (
-    ::dem* d,
+    ::dem_case* c,
     const word& name,
     const word& material,
     const List<double>& corners
@@ -109,9 +110,9 @@ static void addWall
 {
     demCheck
     (
-        dem_add_wall
+        dem_case_add_wall
         (
-            d,
+            c,
             name.c_str(),
             material.c_str(),
             corners.size()/9,
@@ -154,7 +155,8 @@ Foam::labelList Foam::demWalls::triangulate
 }
 
 
-void Foam::demWalls::move(::dem* d)
+template<class Move>
+void Foam::demWalls::movePatches(const Move& move)
 {
     if (corners_.empty())
     {
@@ -174,19 +176,10 @@ void Foam::demWalls::move(::dem* d)
     {
         if (isWall(patch))
         {
-            const List<double> corners
+            move
             (
+                patch.name().c_str(),
                 triangles(corners_[patch.index()], mesh_.points())
-            );
-            demCheck
-            (
-                dem_wall_move
-                (
-                    d,
-                    patch.name().c_str(),
-                    corners.size()/9,
-                    corners.cdata()
-                )
             );
         }
     }
@@ -200,7 +193,7 @@ Foam::demWalls::demWalls(const polyMesh& mesh, const demDict& dict)
 {}
 
 
-Foam::label Foam::demWalls::add(::dem* d)
+Foam::label Foam::demWalls::add(::dem_case* c)
 {
     const tmp<pointField> tpoints(demDomain::firstPoints(mesh_));
     autoPtr<demWedge> wedge;
@@ -218,7 +211,7 @@ Foam::label Foam::demWalls::add(::dem* d)
         {
             addWall
             (
-                d,
+                c,
                 patch.name(),
                 dict_.material(patch),
                 wedge.valid()
@@ -231,7 +224,13 @@ Foam::label Foam::demWalls::add(::dem* d)
 
     if (mesh_.pointsInstance() != mesh_.facesInstance())
     {
-        move(d);
+        movePatches
+        (
+            [c](const char* name, const List<double>& corners)
+            {
+                demCheck(dem_case_move_wall(c, name, corners.size()/9, corners.cdata()));
+            }
+        );
     }
 
     forAllConstIters(dict_.surfaces(), iter)
@@ -240,7 +239,7 @@ Foam::label Foam::demWalls::add(::dem* d)
 
         addWall
         (
-            d,
+            c,
             iter().keyword(),
             wall.get<word>("material"),
             triangles(mesh_.time(), wall)
@@ -249,4 +248,16 @@ Foam::label Foam::demWalls::add(::dem* d)
     }
 
     return walls;
+}
+
+
+void Foam::demWalls::move(::dem* d)
+{
+    movePatches
+    (
+        [d](const char* name, const List<double>& corners)
+        {
+            demCheck(dem_wall_move(d, name, corners.size()/9, corners.cdata()));
+        }
+    );
 }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demReports.H"
+#include "dem_plan.h"
 #include "demCheck.H"
 #include "demInteger.H"
 

@@ -132,7 +132,7 @@ void Foam::demExchange::prepare()
 {
     if (particles_.volumeAveraged() && !scheme_.wholeDrag())
     {
-        dem_fluid_set_displaced(particles_.core(), particles_.fluidDensity());
+        dem_case_fluid_displaced(particles_.described(), particles_.fluidDensity());
     }
 }
 

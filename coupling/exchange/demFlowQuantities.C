@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFlowQuantities.H"
+#include "dem_plan.h"
 #include "demColumns.H"
 #include "demFiles.H"
 #include "demUnderRelaxation.H"

@@ -7,7 +7,7 @@
 #include "demMeans.H"
 #include "demFiles.H"
 #include "demCheck.H"
-#include "dem.h"
+#include "dem_tables.h"
 #include "volFields.H"
 #include "zeroGradientFvPatchField.H"
 #include "mapPolyMesh.H"

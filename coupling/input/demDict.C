@@ -6,6 +6,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demDict.H"
+#include "dem_plan.h"
 #include "demFiles.H"
 #include "demCheck.H"
 #include "demDomain.H"

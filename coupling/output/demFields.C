@@ -128,11 +128,11 @@ Foam::demFields::demFields(const fvMesh& mesh, const dictionary& coupling)
 }
 
 
-void Foam::demFields::prepare(::dem* d) const
+void Foam::demFields::prepare(::dem_case* c) const
 {
     if (stress_)
     {
-        demCheck(dem_virial_enable(d));
+        demCheck(dem_case_enable_virial(c));
     }
 }
 

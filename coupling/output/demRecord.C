@@ -177,11 +177,11 @@ bool Foam::demRecord::energy(const dictionary& coupling)
 }
 
 
-void Foam::demRecord::prepare(::dem* d)
+void Foam::demRecord::prepare(::dem_case* c)
 {
     if (energy_)
     {
-        demCheck(dem_energy_enable(d));
+        demCheck(dem_case_enable_energy(c));
     }
 }
 

@@ -55,15 +55,15 @@ void Foam::demParticles::checkDeltaT() const
 
 void Foam::demParticles::load()
 {
-    demCreate(dem_);
+    demCreate(case_);
     demCheck
     (
-        dem_scene_text(dem_, dict_.text().c_str(), "constant/demProperties")
+        dem_case_scene_text(case_, dict_.text().c_str(), "constant/demProperties")
     );
 
-    nWalls_ = walls_.add(dem_);
-    inletsOutlets_.add(dem_);
-    demRegions(mesh_, dict_).add(dem_);
+    nWalls_ = walls_.add(case_);
+    inletsOutlets_.add(case_);
+    demRegions(mesh_, dict_).add(case_);
 
     const fileName start(demSnapshot::start(mesh_, dict_));
     if (!start.empty())
@@ -71,8 +71,8 @@ void Foam::demParticles::load()
         demCheck
         (
             demSnapshot::exists(mesh_.time())
-          ? dem_load(dem_, start.c_str())
-          : dem_start(dem_, start.c_str())
+          ? dem_case_load(case_, start.c_str())
+          : dem_case_start_from(case_, start.c_str())
         );
     }
     if (diameter_ <= 0)
@@ -216,6 +216,7 @@ Foam::demParticles::demParticles(const fvMesh& mesh, const bool volumeAveraged)
     transfer_(mesh, dict_.coupling(), inletsOutlets_.outlets()),
     walls_(mesh, dict_),
     nWalls_(0),
+    case_(nullptr),
     dem_(nullptr),
     view_(),
     fluid_(),
@@ -232,6 +233,7 @@ Foam::demParticles::demParticles(const fvMesh& mesh, const bool volumeAveraged)
 
 Foam::demParticles::~demParticles()
 {
+    dem_case_free(case_);
     dem_free(dem_);
 }
 
@@ -240,9 +242,9 @@ void Foam::demParticles::setUp()
 {
     if (demFluid::hasUniformDensity(mesh_, dict_.coupling()))
     {
-        dem_fluid_set_density(dem_, fluidDensity());
+        dem_case_fluid_density(case_, fluidDensity());
     }
-    demCheck(dem_setup(dem_));
+    demCheck(dem_start(&case_, &dem_));
     dem_set_stop_flag(dem_, dem_repeated_signal());
     refresh();
     reportStart();

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demSettle.H"
+#include "dem_plan.h"
 #include "demFiles.H"
 #include "demCheck.H"
 #include "demCommunicator.H"
@@ -83,7 +84,7 @@ void Foam::demSettle::leaveOutFluid()
 
         if (traits & DEM_TRAIT_FLUID)
         {
-            demCheck(dem_remove_effect(dem_, name.c_str()));
+            demCheck(dem_case_remove_effect(case_, name.c_str()));
             left.append(name);
         }
         else if
@@ -97,9 +98,9 @@ void Foam::demSettle::leaveOutFluid()
             value << viscosity(name);
             demCheck
             (
-                dem_set
+                dem_case_set
                 (
-                    dem_,
+                    case_,
                     ("effects/" + name + "/viscosity").c_str(),
                     value.str().c_str()
                 )
@@ -128,25 +129,25 @@ void Foam::demSettle::build()
 {
     check();
     demMeshCheck::check(mesh_);
-    demCreate(dem_);
+    demCreate(case_);
     demCheck
     (
-        dem_scene_text(dem_, dict_.text().c_str(), "constant/demProperties")
+        dem_case_scene_text(case_, dict_.text().c_str(), "constant/demProperties")
     );
     leaveOutFluid();
 
-    const label walls = walls_.add(dem_);
-    regions_.add(dem_);
+    const label walls = walls_.add(case_);
+    regions_.add(case_);
 
-    demCheck(dem_quiet_read(dem_, &quiet_));
+    demCheck(dem_case_read_quiet(case_, &quiet_));
     if (!quiet_.wanted)
     {
         quiet_.wanted = 1;
         quiet_.kinetic = restless;
     }
-    demCheck(dem_check(dem_));
-    demCheck(dem_quiet_check(dem_, &quiet_));
-    demCheck(dem_setup(dem_));
+    demCheck(dem_case_check(case_));
+    demCheck(dem_quiet_check(dem_case_checked(case_), &quiet_));
+    demCheck(dem_start(&case_, &dem_));
     demCheck(dem_totals(dem_, &totals_));
 
     const struct dem_step_limit step = dem_step_limit(dem_);
@@ -218,6 +219,7 @@ Foam::demSettle::demSettle(const fvMesh& mesh)
     dict_(mesh, true),
     walls_(mesh, dict_),
     regions_(mesh, dict_),
+    case_(nullptr),
     dem_(nullptr),
     quiet_(),
     totals_()
@@ -226,6 +228,7 @@ Foam::demSettle::demSettle(const fvMesh& mesh)
 
 Foam::demSettle::~demSettle()
 {
+    dem_case_free(case_);
     dem_free(dem_);
 }
 

@@ -12,13 +12,13 @@
 #include "input/dictionary.h"
 #include "ranks/collect.h"
 #include <fenv.h>
+#include <string.h>
 
 int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
 {
     struct dem_plan plan = {.state = &d->state, .scene = &d->scene, .run = *run, .step = d->step};
     fenv_t caller;
 
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_plan comes after dem_setup");
     dem_text_free(&d->plan);
     feholdexcept(&caller);
     int status = d->verdicts ? DEM_OK : DEM_NEW(d->verdicts, 1);
@@ -41,7 +41,6 @@ int dem_warnings(struct dem *d, const struct dem_run_info *run, int n, const cha
     const char *const *repeats, **sentences;
     fenv_t caller;
 
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_warnings comes after dem_setup");
     DEM_TRY(dem_api_require_count("dem_warnings", "sentences", n));
     const size_t repeated = dem_dict_repeats(d->dict, &repeats), told = repeated + d->notes;
 
@@ -67,7 +66,6 @@ int dem_impact_warning(struct dem *d, double overlap, const char **text)
     struct dem_impact impact;
     fenv_t caller;
 
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_impact_warning comes after dem_setup");
     dem_text_free(&d->impact);
     feholdexcept(&caller);
     const double speed = dem_totals_max_speed(&d->state);
@@ -91,4 +89,20 @@ int dem_verdicts(const struct dem *d, const struct dem_verdict **verdict)
 {
     *verdict = d->verdicts ? d->verdicts->verdict : NULL;
     return d->verdicts ? d->verdicts->n : 0;
+}
+
+int dem_bed_slab(const struct dem *d, double up[3], double *low, double *high)
+{
+    struct dem_bed_packing bed;
+    const int found = dem_bed_packing_measure(&d->state, &bed);
+
+    memset(up, 0, 3*sizeof *up);
+    *low = *high = 0.0;
+    if (found)
+    {
+        memcpy(up, bed.up, sizeof bed.up);
+        *low = bed.low;
+        *high = bed.high;
+    }
+    return found;
 }

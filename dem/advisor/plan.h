@@ -10,7 +10,7 @@
 #ifndef DEM_ADVISOR_PLAN_H
 #define DEM_ADVISOR_PLAN_H
 
-#include "dem.h"
+#include "dem_plan.h"
 #include "case/scene.h"
 #include "advisor/time_estimate.h"
 #include "records/bed_packing.h"

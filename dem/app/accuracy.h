@@ -4,7 +4,7 @@
  *
  *     accuracy { target 0.01; budget 60; }    searched before the run, for so many s
  *     accuracy { target 0.01; reached 0.0054; of kinetic; window 0.01; step 1.2e-6; }
- *                                             found by `dem cost -target`, see suna/cost/target.py
+ *                                             found by `dem cost -target`, see suna_cost/target.py
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,6 +1,6 @@
 /*
- * command_cost.c -- `dem cost`, `dem plot` and `dem import`: start suna.cost, which makes the study
- * or draws it, or suna.importer, Python programs, in place of this one.
+ * command_cost.c -- `dem cost`, `dem plot` and `dem import`: start suna_cost, which makes the study
+ * or draws it, or suna_import, Python programs, in place of this one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -5,7 +5,7 @@
  */
 #include "app/main.h"
 #include "core/error.h"
-#include "dem.h"
+#include "dem_plan.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -16,35 +16,33 @@ static const char help[] =
     "effects { ... } in a scene.\n";
 
 /* Print the text of one effect, or of all (NULL). */
-static int print_effect(struct dem *d, const char *effect)
+static int print_effect(const char *effect)
 {
     const char *text;
 
-    DEM_TRY(dem_effect_text(d, effect, &text));
+    DEM_TRY(dem_effect_text(effect, &text));
     fputs(text, stdout);
     return DEM_OK;
 }
 
-static int print_effects(struct dem *d, int names, char **name)
+static int print_effects(int names, char **name)
 {
     const char *known;
 
     for (int k = 0; k < names; k++)    /* all of them are known before one is printed */
     {
-        DEM_TRY(dem_effect_text(d, name[k], &known));
+        DEM_TRY(dem_effect_text(name[k], &known));
     }
-    DEM_TRY(names == 0 ? print_effect(d, NULL) : DEM_OK);
+    DEM_TRY(names == 0 ? print_effect(NULL) : DEM_OK);
     for (int k = 0; k < names; k++)
     {
-        DEM_TRY(print_effect(d, name[k]));
+        DEM_TRY(print_effect(name[k]));
     }
     return DEM_OK;
 }
 
 int dem_main_effects(struct dem_program *p, int argc, char **argv)
 {
-    struct dem *d;
-
     if (p->rank != 0)
     {
         return DEM_OK;
@@ -54,9 +52,5 @@ int dem_main_effects(struct dem_program *p, int argc, char **argv)
         fputs(help, stdout);
         return DEM_OK;
     }
-    DEM_TRY(dem_create(&d, MPI_COMM_NULL));
-    const int status = print_effects(d, argc, argv);
-
-    dem_free(d);
-    return status;
+    return print_effects(argc, argv);
 }

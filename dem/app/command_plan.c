@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/scene_options.h"
+#include "dem_plan.h"
 #include "core/error.h"
 #include <math.h>
 #include <stdio.h>

@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/main.h"
+#include "dem_plan.h"
 #include "app/energy_csv.h"
 #include "app/run_announce.h"
 #include "app/run_tables.h"

@@ -10,7 +10,7 @@
 #ifndef DEM_APP_ENERGY_CSV_H
 #define DEM_APP_ENERGY_CSV_H
 
-#include "dem.h"
+#include "dem_tables.h"
 #include "app/main.h"
 #include "app/output_files.h"
 

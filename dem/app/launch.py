@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna.cost or
-suna.importer with a python3 that has what it needs. `dem cost` starts dem-cost.
+"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna_cost or
+suna_import with a python3 that has what it needs. `dem cost` starts dem-cost.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -8,17 +8,22 @@ import glob
 import os
 import shutil
 import sys
+from importlib import import_module
 from importlib.util import find_spec
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-NEEDS = {"dem-cost": ("cffi", "numpy", "scipy"), "demCost": ("cffi", "numpy", "scipy"),
-         "dem-import": ("cffi", "numpy"), "dem-plot": ("cffi", "numpy", "matplotlib")}
+# module of each command, and what it needs
+COMMANDS = {"dem-cost": ("suna_cost.__main__", "cffi", "numpy", "scipy"),
+            "demCost": ("suna_cost.case_command", "cffi", "numpy", "scipy"),
+            "dem-plot": ("suna_cost.plot", "cffi", "numpy", "matplotlib"),
+            "dem-import": ("suna_import.__main__", "cffi", "numpy", "scipy")}
 NAME = os.path.basename(__file__)
 COMMAND = NAME.replace("-", " ")
+MODULE, *NEEDS = COMMANDS[NAME]
 
 # a second Python that has been tried already
 second = os.environ.pop("SUNA_SECOND_PYTHON", None)
-missing = [module for module in NEEDS[NAME] if find_spec(module) is None]
+missing = [module for module in NEEDS if find_spec(module) is None]
 if missing:
     # another Python may come first in PATH than the one that has the packages
     other = shutil.which(os.environ.get("SUNA_PYTHON") or "/usr/bin/python3")
@@ -30,7 +35,7 @@ if missing:
              "name another Python by SUNA_PYTHON")
 
 # in the source tree, below the same prefix (make install), or beside the library of ./Allwmake
-for folder in (os.path.join(HERE, "..", "python"),
+for folder in (os.path.join(HERE, "..", "..", "python"),
                *glob.glob(os.path.join(HERE, "..", "lib", "python3*", "*-packages")),
                os.path.join(HERE, "..", "lib", "python"),
                os.path.join(os.environ.get("FOAM_USER_LIBBIN", HERE), "python")):
@@ -42,13 +47,8 @@ else:
         sys.exit(f"{COMMAND}: no package suna; build Suna with ./Allwmake or make -C dem, or install it")
 
 try:
-    from suna.cost.__main__ import command, main
+    program = import_module(MODULE)
+    from suna.command import command
 except ImportError as error:
     sys.exit(f"{COMMAND}: {error}")
-if NAME == "dem-import":
-    from suna.importer.__main__ import main
-elif NAME == "demCost":
-    from suna.cost.case_command import main
-elif NAME == "dem-plot":
-    from suna.cost.plot import main
-sys.exit(command(sys.argv[1:], "dem" if NAME == "dem-cost" else COMMAND, main))
+sys.exit(command(program, "dem" if NAME == "dem-cost" else COMMAND, sys.argv[1:]))

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/output_files.h"
+#include "dem_tables.h"
 #include "app/walls_vtk.h"
 #include "core/error.h"
 #include "core/file.h"

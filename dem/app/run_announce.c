@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/run_announce.h"
+#include "dem_plan.h"
 #include "core/error.h"
 #include <math.h>
 #include <stdio.h>

@@ -9,7 +9,7 @@
 
 #include "app/main.h"
 #include "app/output_files.h"
-#include "dem.h"
+#include "dem_tables.h"
 
 struct dem_run_tables
 {

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/scene_options.h"
+#include "dem_fluid.h"
 #include "core/error.h"
 #include "core/did_you_mean.h"
 #include "input/dictionary.h"
@@ -98,14 +99,14 @@ static int read_max_created(const struct dem_dict *time, struct dem_output *o)
     return DEM_OK;
 }
 
-static int read_schedule(struct dem_schedule *s, struct dem *d, const char *path)
+static int read_schedule(struct dem_schedule *s, const struct dem_case *c, const char *path)
 {
-    const struct dem_dict *const scene = dem_scene_dict(d), *time, *write;
+    const struct dem_dict *const scene = dem_case_dict(c), *time, *write;
 
     DEM_TRY(dem_dict_sub(scene, "time", &time));
     DEM_TRY(dem_dict_number(time, "end", "s", &s->end));
     DEM_REQUIRE(s->end > 0.0, DEM_ERROR_INPUT, "time/end %g s; give a time above 0", s->end);
-    DEM_TRY(dem_quiet_read(d, &s->quiet));
+    DEM_TRY(dem_case_read_quiet(c, &s->quiet));
     DEM_TRY(dem_dict_sub_if(scene, "write", &write));
     s->interval = s->end;
     if (write)
@@ -169,66 +170,66 @@ static int accept_coupling(const struct dem_dict *scene, int *present)
 }
 
 /* Each rank reads the scene and the options by itself. */
-static int read_scene(const struct dem_request *r, struct dem *d, struct dem_schedule *s)
+static int read_scene(const struct dem_request *r, struct dem_case *c, struct dem_schedule *s)
 {
-    DEM_TRY(dem_scene_file(d, r->scene));
+    DEM_TRY(dem_case_scene_file(c, r->scene));
     for (int k = 0; k < r->sets; k++)
     {
-        DEM_TRY(dem_set(d, r->set[k][0], r->set[k][1]));
+        DEM_TRY(dem_case_set(c, r->set[k][0], r->set[k][1]));
     }
     if (r->restart)
     {
-        DEM_TRY(dem_load(d, r->restart));
+        DEM_TRY(dem_case_load(c, r->restart));
     }
-    DEM_TRY(read_schedule(s, d, r->scene));
-    DEM_TRY(dem_accuracy_read(&s->accuracy, dem_scene_dict(d)));
-    DEM_TRY(accept_coupling(dem_scene_dict(d), &s->coupling));
-    DEM_TRY(s->output.energy > 0.0 ? dem_energy_enable(d) : DEM_OK);
-    return s->output.orientation ? dem_orientation_enable(d) : DEM_OK;
+    DEM_TRY(read_schedule(s, c, r->scene));
+    DEM_TRY(dem_accuracy_read(&s->accuracy, dem_case_dict(c)));
+    DEM_TRY(accept_coupling(dem_case_dict(c), &s->coupling));
+    DEM_TRY(s->output.energy > 0.0 ? dem_case_enable_energy(c) : DEM_OK);
+    return s->output.orientation ? dem_case_enable_orientation(c) : DEM_OK;
 }
 
-static int set_up(const struct dem_program *prog, const struct dem_request *r, struct dem *d,
-                  struct dem_schedule *s)
+/* Before particles are placed, which may take long. */
+static int check(const struct dem_program *prog, const struct dem_request *r, struct dem_case *c,
+                 struct dem_schedule *s)
 {
-    DEM_TRY(dem_program_agree(prog, read_scene(r, d, s)));
+    DEM_TRY(dem_program_agree(prog, read_scene(r, c, s)));
     DEM_TRY(dem_output_check(&s->output, prog, r->scene));
-    DEM_TRY(dem_check(d));
-    s->with_gravity = dem_gravity_acceleration(d, s->gravity);
-    DEM_TRY(dem_quiet_check(d, &s->quiet));
-    DEM_TRY(dem_require_fluid(d));
-    /* with a snapshot the step is known only after dem_setup */
-    DEM_TRY(dem_step_limit(d).used > 0.0 ? count_steps(s, d) : DEM_OK);
-    DEM_TRY(dem_setup(d));
-    DEM_TRY(check_end(s, d));
-    return count_steps(s, d);
+    DEM_TRY(dem_case_check(c));
+    const struct dem *const checked = dem_case_checked(c);
+
+    s->with_gravity = dem_gravity_acceleration(checked, s->gravity);
+    DEM_TRY(dem_quiet_check(checked, &s->quiet));
+    DEM_TRY(dem_require_fluid(checked));
+    /* with a snapshot the step is known only after dem_start */
+    return dem_step_limit(checked).used > 0.0 ? count_steps(s, checked) : DEM_OK;
 }
 
-/* Read, check and set up the scene of a command line. The caller frees the simulation; NULL after
-   an error. */
-static int open_scene(const struct dem_program *prog, const struct dem_request *r,
-                      struct dem **made, struct dem_schedule *s)
+/* Read, check and start the scene of a command line. The caller frees the run, also after an error;
+   NULL where it has not started. */
+static int start(const struct dem_program *prog, const struct dem_request *r, struct dem **d,
+                 struct dem_schedule *s)
 {
-    struct dem *d;
+    struct dem_case *c;
 
-    *made = NULL;
     *s = (struct dem_schedule){.request = r};
-    DEM_TRY(dem_create(&d, prog->comm));
-    const int status = set_up(prog, r, d, s);
+    DEM_TRY(dem_case_create(&c, prog->comm));
+    const int status = check(prog, r, c, s);
 
     if (status)
     {
-        dem_free(d);
+        dem_case_free(c);
         return status;
     }
-    *made = d;
-    return DEM_OK;
+    DEM_TRY(dem_start(&c, d));
+    DEM_TRY(check_end(s, *d));
+    return count_steps(s, *d);
 }
 
 int dem_command_run(struct dem_program *prog, const struct dem_command *c, int argc, char **argv)
 {
     struct dem_request r = {.scene = NULL};
     struct dem_schedule s;
-    struct dem *d;
+    struct dem *d = NULL;
 
     DEM_TRY(read_request(&r, c->name, argc, argv));
     if (r.help)
@@ -239,9 +240,9 @@ int dem_command_run(struct dem_program *prog, const struct dem_command *c, int a
         }
         return DEM_OK;
     }
-    DEM_TRY(open_scene(prog, &r, &d, &s));
-    const int status = c->run(prog, d, &s);
+    int status = start(prog, &r, &d, &s);
 
+    status = status ? status : c->run(prog, d, &s);
     dem_free(d);
     return status;
 }

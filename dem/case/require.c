@@ -1,5 +1,5 @@
 /*
- * require.c -- what the public calls require: their order, counts, agreement of ranks.
+ * require.c -- what the public calls require: a sound state, counts, agreement of ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -7,14 +7,6 @@
 #include "core/error.h"
 #include "ranks/collect.h"
 #include <math.h>
-
-int dem_api_require_unchecked(const struct dem *d, const char *call)
-{
-    DEM_REQUIRE(d->checked >= 0, DEM_ERROR_STATE, "%s after a dem_check or dem_setup that failed; "
-                "call dem_free and start again", call);
-    DEM_REQUIRE(!d->checked, DEM_ERROR_STATE, "%s comes before dem_check and dem_setup", call);
-    return DEM_OK;
-}
 
 int dem_api_require_sound(const struct dem *d, const char *call)
 {

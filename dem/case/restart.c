@@ -41,7 +41,7 @@ static int has_mark(const char *text, const char *mark, const char *name)
 /* The groups inserted before and the groups of this scene. */
 static void add_marks(const struct dem *d, struct dem_text *t)
 {
-    const char *const before = d->start_checked || !d->before.text ? "" : d->before.text;
+    const char *const before = d->before.text ? d->before.text : "";
     const struct dem_dict *insert = NULL;
 
     for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
@@ -112,12 +112,12 @@ int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
 
 struct comparison
 {
-    struct dem *d;
+    struct dem_case *c;
     struct dem_scene_lines before, now;
 };
 
 /* A wall whose form has changed does not go on. */
-static int remember_form(struct dem *d, const struct dem_scene_line *l)
+static int remember_form(struct dem_case *c, const struct dem_scene_line *l)
 {
     char name[64], part[64];
 
@@ -126,8 +126,8 @@ static int remember_form(struct dem *d, const struct dem_scene_line *l)
     {
         return DEM_OK;
     }
-    DEM_TRY(DEM_GROW(d->reformed, d->reformed_capacity, d->reformed_walls + 1));
-    snprintf(d->reformed[d->reformed_walls++], sizeof *d->reformed, "%s",
+    DEM_TRY(DEM_GROW(c->reformed, c->reformed_capacity, c->reformed_walls + 1));
+    snprintf(c->reformed[c->reformed_walls++], sizeof *c->reformed, "%s",
              dem_scene_line_part(l, 1, name));
     return DEM_OK;
 }
@@ -155,19 +155,19 @@ static int tell(struct comparison *c, const struct dem_scene_line *was,
     const struct dem_scene_line *const l = is ? is : was;
     const char *const becomes = dem_scene_line_becomes(is ? &c->now : &c->before, l, change);
 
-    DEM_TRY(remember_form(c->d, l));
+    DEM_TRY(remember_form(c->c, l));
     if (is_left_out(c, l, change))
     {
         return DEM_OK;
     }
     if (change == DEM_LINE_CHANGED)
     {
-        return dem_api_note(c->d, "restart: %.*s was %.*s, now %.*s: %s", (int)l->length, l->path,
+        return dem_api_note(c->c->d, "restart: %.*s was %.*s, now %.*s: %s", (int)l->length, l->path,
                             (int)was->size, was->value, (int)is->size, is->value, becomes);
     }
     const int whole = l->size == 2 && memcmp(l->value, "{}", 2) == 0;
 
-    return dem_api_note(c->d, "restart: %.*s%s%.*s is %s: %s", (int)l->length, l->path,
+    return dem_api_note(c->c->d, "restart: %.*s%s%.*s is %s: %s", (int)l->length, l->path,
                         whole ? "" : " ", whole ? 0 : (int)l->size, l->value,
                         change == DEM_LINE_NEW ? "new" : "gone", becomes);
 }
@@ -223,9 +223,10 @@ static int compare_texts(struct comparison *c)
     return DEM_OK;
 }
 
-static int compare(struct dem *d)
+static int compare(struct dem_case *of)
 {
-    struct comparison c = {.d = d};
+    const struct dem *const d = of->d;
+    struct comparison c = {.c = of};
     struct dem_text now = {0};
     int status = write_text(d, &now);
 
@@ -238,8 +239,9 @@ static int compare(struct dem *d)
     return status;
 }
 
-static int check_periodic(const struct dem *d)
+static int check_periodic(const struct dem_case *c)
 {
+    const struct dem *const d = c->d;
     const struct dem_domain *const box = &d->state.domain;
 
     for (int k = 0; k < 3; k++)
@@ -252,7 +254,7 @@ static int check_periodic(const struct dem *d)
                     "%s: its domain is %speriodic along %c, from %g to %g m, and the scene's is %s "
                     "or has other limits; contacts of the snapshot cross these faces: give the "
                     "domain of the snapshot, or take its particles into a new run with start { "
-                    "snapshot; }", d->load_path, was[0] != 0.0 ? "" : "not ", "xyz"[k], was[1],
+                    "snapshot; }", c->load_path, was[0] != 0.0 ? "" : "not ", "xyz"[k], was[1],
                     was[2], box->periodic[k] ? "periodic" : "not");
     }
     return DEM_OK;
@@ -272,8 +274,10 @@ static int tell_of_return(struct dem *d, const char *group)
                             "before, and are not inserted again", group);
 }
 
-static int keep_new_groups(struct dem *d)
+static int keep_new_groups(struct dem_case *c)
 {
+    struct dem *const d = c->d;
+
     for (size_t k = d->scene.insertion.n; k > 0; k--)
     {
         const char *const name = dem_insert_name(&d->scene.insertion, k - 1);
@@ -284,22 +288,25 @@ static int keep_new_groups(struct dem *d)
             dem_insert_drop(&d->scene.insertion, k - 1);
         }
     }
-    if (d->initial.n > 0 && has_mark(d->before.text, program_mark, ""))
+    if (c->initial.n > 0 && has_mark(d->before.text, program_mark, ""))
     {
-        dem_initial_particles_release(&d->initial);
+        dem_initial_particles_release(&c->initial);
     }
     return dem_insert_check_domain(&d->scene.insertion, &d->state.domain);
 }
 
-int dem_api_compare_scene(struct dem *d)
+int dem_api_compare_scene(struct dem_case *c)
 {
-    DEM_TRY(dem_snapshot_read_scene(d->load_path, &d->state.decomposition, &d->before));
-    if (d->start_checked)
+    struct dem *const d = c->d;
+
+    DEM_TRY(dem_snapshot_read_scene(c->load_path, &d->state.decomposition, &d->before));
+    if (c->new_run)
     {
-        return DEM_OK;    /* particles for another run */
+        d->before.text[0] = '\0';    /* of another run: nothing of this one is inserted yet */
+        return DEM_OK;
     }
-    DEM_TRY(check_periodic(d));
-    DEM_TRY(compare(d));
-    DEM_TRY(dem_api_resume_walls(d));
-    return keep_new_groups(d);
+    DEM_TRY(check_periodic(c));
+    DEM_TRY(compare(c));
+    DEM_TRY(dem_api_resume_walls(c));
+    return keep_new_groups(c);
 }

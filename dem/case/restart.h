@@ -14,24 +14,21 @@
 #ifndef DEM_CASE_RESTART_H
 #define DEM_CASE_RESTART_H
 
-#include "case/internal.h"
-
-/* The scene of the run, for its snapshots; the caller frees it. On the first rank. */
-int dem_api_describe_scene(const struct dem *, struct dem_snapshot_scene *);
+#include "case/dem_case.h"
 
 /* Collective, when the particles of the snapshot have been read: read its scene and compare. Keeps of
    the groups and the particles of the program those that are new. */
-int dem_api_compare_scene(struct dem *);
+int dem_api_compare_scene(struct dem_case *);
 
 /* Collective, when the walls are finished: insert the new groups. */
-int dem_api_insert_new_groups(struct dem *);
+int dem_api_insert_new_groups(struct dem_case *);
 
 /* When the scenes have been compared and before the walls are finished: walls whose form is the same go
    on from where they stood. */
-int dem_api_resume_walls(struct dem *);
+int dem_api_resume_walls(struct dem_case *);
 
 /* New numbers of the facets of the snapshot's walls; the caller frees them. */
-int dem_api_map_facets(struct dem *, struct dem_snapshot_facets *);
+int dem_api_map_facets(struct dem_case *, struct dem_snapshot_facets *);
 
 /* Add a sentence. */
 #if defined(__GNUC__)

@@ -38,8 +38,9 @@ static int compare_ids(const void *a, const void *b)
 }
 
 /* An id that the scene or the program gives must not be one of the snapshot. */
-static int refuse_present_ids(const struct dem *d, size_t present)
+static int refuse_present_ids(const struct dem_case *of, size_t present)
 {
+    const struct dem *const d = of->d;
     const struct dem_initial_particles *const c = &d->scene.initial;
     int64_t *id, duplicate = -1;
 
@@ -65,7 +66,7 @@ static int refuse_present_ids(const struct dem *d, size_t present)
     dem_memory_free(all);
     DEM_REQUIRE(duplicate < 0, DEM_ERROR_INPUT, "a new particle has id %lld, which a particle of %s "
                 "has already; give it another id, or none: then the next free one is taken",
-                (long long)duplicate, d->load_path);
+                (long long)duplicate, of->load_path);
     return DEM_OK;
 }
 
@@ -90,13 +91,14 @@ static void begin_columns(struct dem *d, size_t from)
     }
 }
 
-static int tell(struct dem *d)
+static int tell(struct dem_case *of)
 {
+    struct dem *const d = of->d;
     const struct dem_initial_particles *const c = &d->scene.initial;
 
     for (size_t k = 0; k < c->groups; k++)
     {
-        const int of_program = d->initial.n > 0 && k + 1 == c->groups;
+        const int of_program = of->initial.n > 0 && k + 1 == c->groups;
 
         DEM_TRY(dem_api_note(d, "restart: %s%s is new: its %lld particles are inserted now",
                              of_program ? "" : "insert/", c->group[k].name,
@@ -105,8 +107,9 @@ static int tell(struct dem *d)
     return DEM_OK;
 }
 
-static int insert(struct dem *d)
+static int insert(struct dem_case *of)
 {
+    struct dem *const d = of->d;
     struct dem_state *const p = &d->state;
     struct dem_initial_particles *const c = &d->scene.initial;
     const size_t present = p->particles.n;
@@ -116,31 +119,32 @@ static int insert(struct dem *d)
     dem_walls_move(&p->walls, p->time, 0.0);
     DEM_TRY(dem_insert_place(c, &d->scene.insertion, &p->interaction_table, &p->walls,
                              &p->decomposition));
-    DEM_TRY(dem_api_agree(d, dem_api_join_initial(d)));
-    DEM_TRY(dem_api_agree(d, refuse_present_ids(d, present)));
+    DEM_TRY(dem_api_agree(d, dem_api_join_initial(of)));
+    DEM_TRY(dem_api_agree(d, refuse_present_ids(of, present)));
     DEM_TRY(dem_api_agree(d, dem_api_store_initial(d, present)));
     begin_columns(d, present);
-    return dem_api_agree(d, tell(d));
+    return dem_api_agree(d, tell(of));
 }
 
-int dem_api_insert_new_groups(struct dem *d)
+int dem_api_insert_new_groups(struct dem_case *c)
 {
+    struct dem *const d = c->d;
     const int64_t free_id = dem_flows_first_free_id(&d->state);
 
     d->next_id = d->before.tail.next_id > free_id ? d->before.tail.next_id : free_id;
-    d->inserts = d->scene.insertion.n > 0 || d->initial.n > 0;
-    if (d->inserts)
+    c->inserts = d->scene.insertion.n > 0 || c->initial.n > 0;
+    if (c->inserts)
     {
-        DEM_TRY(insert(d));
+        DEM_TRY(insert(c));
         const int64_t next = dem_flows_first_free_id(&d->state);
 
         d->next_id = next > d->next_id ? next : d->next_id;
     }
-    if (d->load_path[0])
+    if (c->load_path[0])
     {
         dem_insert_free(&d->scene.insertion);
         dem_initial_particles_free(&d->scene.initial);
-        dem_initial_particles_release(&d->initial);
+        dem_initial_particles_release(&c->initial);
     }
     return DEM_OK;
 }

@@ -27,19 +27,19 @@ static const struct dem_snapshot_wall *find_wall(const struct dem_snapshot_scene
     return NULL;
 }
 
-static int is_reformed(const struct dem *d, const char *name)
+static int is_reformed(const struct dem_case *c, const char *name)
 {
     int found = 0;
 
-    for (size_t k = 0; k < d->reformed_walls; k++)
+    for (size_t k = 0; k < c->reformed_walls; k++)
     {
-        found |= strcmp(d->reformed[k], name) == 0;
+        found |= strcmp(c->reformed[k], name) == 0;
     }
     return found;
 }
 
 /* Of triangles the form is known only when the walls are finished. */
-static int is_same_wall(const struct dem *d, const struct dem_wall *of,
+static int is_same_wall(const struct dem_case *c, const struct dem_wall *of,
                         const struct dem_snapshot_wall *was, int finished)
 {
     const int triangles = of->shape == DEM_SHAPE_TRIANGLES;
@@ -47,49 +47,49 @@ static int is_same_wall(const struct dem *d, const struct dem_wall *of,
 
     dem_walls_form(of, form);
     return was && was->shape == of->shape && was->outside == of->outside
-        && !is_reformed(d, of->name) && (triangles && !finished ? 1
+        && !is_reformed(c, of->name) && (triangles && !finished ? 1
                                          : dem_walls_same_form(form, was->form, triangles));
 }
 
-int dem_api_resume_walls(struct dem *d)
+int dem_api_resume_walls(struct dem_case *c)
 {
-    struct dem_walls *const w = &d->state.walls;
+    struct dem_walls *const w = &c->d->state.walls;
 
     for (int k = 0; k < w->walls; k++)
     {
-        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
+        const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, w->wall[k].name);
 
-        DEM_TRY(is_same_wall(d, &w->wall[k], was, 0)
-                    ? dem_walls_resume_motion(w, k, &was->motion, &was->base, d->state.time)
+        DEM_TRY(is_same_wall(c, &w->wall[k], was, 0)
+                    ? dem_walls_resume_motion(w, k, &was->motion, &was->base, c->d->state.time)
                     : DEM_OK);
     }
     return DEM_OK;
 }
 
 /* A wall that has the facets of the snapshot. */
-static int keeps_facets(const struct dem *d, const struct dem_wall *of,
+static int keeps_facets(const struct dem_case *c, const struct dem_wall *of,
                         const struct dem_snapshot_wall *was)
 {
-    return is_same_wall(d, of, was, 1) && was->facets == of->facets
+    return is_same_wall(c, of, was, 1) && was->facets == of->facets
         && was->triangles == (int64_t)of->triangles;
 }
 
-int dem_api_map_facets(struct dem *d, struct dem_snapshot_facets *map)
+int dem_api_map_facets(struct dem_case *c, struct dem_snapshot_facets *map)
 {
-    const struct dem_walls *const w = &d->state.walls;
-    int changes = d->before.tail.walls != w->walls;
+    const struct dem_walls *const w = &c->d->state.walls;
+    int changes = c->d->before.tail.walls != w->walls;
     int64_t facets = 0;
 
     *map = (struct dem_snapshot_facets){.n = 0};
     for (int k = 0; k < w->walls; k++)
     {
-        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
-        const int keeps = keeps_facets(d, &w->wall[k], was);
+        const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, w->wall[k].name);
+        const int keeps = keeps_facets(c, &w->wall[k], was);
 
         changes |= !keeps || was->first_facet != w->wall[k].first_facet;
-        if (was && !keeps && is_same_wall(d, &w->wall[k], was, 0) && !d->start_checked)
+        if (was && !keeps && is_same_wall(c, &w->wall[k], was, 0) && !c->new_run)
         {
-            DEM_TRY(dem_api_note(d, "restart: wall %s has other triangles than in the snapshot: it "
+            DEM_TRY(dem_api_note(c->d, "restart: wall %s has other triangles than in the snapshot: it "
                                  "goes on without the history of its contacts", was->name));
         }
     }
@@ -97,18 +97,18 @@ int dem_api_map_facets(struct dem *d, struct dem_snapshot_facets *map)
     {
         return DEM_OK;
     }
-    for (int64_t k = 0; k < d->before.tail.walls; k++)
+    for (int64_t k = 0; k < c->d->before.tail.walls; k++)
     {
-        facets += d->before.wall[k].facets;
+        facets += c->d->before.wall[k].facets;
     }
     DEM_TRY(DEM_NEW(map->number, facets + 1));
     map->n = (int)facets;
     memset(map->number, -1, (size_t)facets*sizeof *map->number);
     for (int k = 0; k < w->walls; k++)
     {
-        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, w->wall[k].name);
+        const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, w->wall[k].name);
 
-        for (int f = 0; keeps_facets(d, &w->wall[k], was) && f < w->wall[k].facets; f++)
+        for (int f = 0; keeps_facets(c, &w->wall[k], was) && f < w->wall[k].facets; f++)
         {
             map->number[was->first_facet + f] = w->wall[k].first_facet + f;
         }

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "dem.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "input/dictionary.h"
@@ -33,35 +33,36 @@ static const struct dem_entry *find(const struct dem_dict *d, const char *path)
     return path ? NULL : found;
 }
 
-const char *dem_scene_value(struct dem *d, const char *path)
+const char *dem_scene_value(const struct dem_dict *scene, const char *path)
 {
-    const struct dem_entry *const e = d->dict ? find(d->dict, path) : NULL;
+    static _Thread_local struct dem_text value;
+    const struct dem_entry *const e = find(scene, path);
 
-    dem_text_free(&d->value_text);
+    dem_text_free(&value);
     if (!e || dem_entry_is_dict(e))
     {
         return NULL;
     }
     for (size_t k = 0; k < dem_entry_tokens(e); k++)
     {
-        dem_text_add(&d->value_text, "%s%s", k > 0 ? " " : "", dem_entry_token(e, k));
+        dem_text_add(&value, "%s%s", k > 0 ? " " : "", dem_entry_token(e, k));
     }
-    return d->value_text.status ? NULL : d->value_text.text ? d->value_text.text : "";
+    return value.status ? NULL : value.text ? value.text : "";
 }
 
-const char *dem_scene_name(const struct dem *d, const char *path, int k)
+const char *dem_scene_name(const struct dem_dict *scene, const char *path, int k)
 {
-    const struct dem_entry *const group = d->dict && path[0] ? find(d->dict, path) : NULL;
+    const struct dem_entry *const group = path[0] ? find(scene, path) : NULL;
     const struct dem_dict *const in =
-        !path[0] ? d->dict : group && dem_entry_is_dict(group) ? dem_entry_dict(group) : NULL;
+        !path[0] ? scene : group && dem_entry_is_dict(group) ? dem_entry_dict(group) : NULL;
     const struct dem_entry *const e = in && k >= 0 ? dem_dict_entry(in, (size_t)k) : NULL;
 
     return e ? dem_entry_name(e) : NULL;
 }
 
-void dem_scene_skip(struct dem *d, const char *path)
+void dem_scene_skip(const struct dem_dict *scene, const char *path)
 {
-    const struct dem_entry *const e = d->dict ? find(d->dict, path) : NULL;
+    const struct dem_entry *const e = find(scene, path);
 
     if (e && dem_entry_is_dict(e))
     {

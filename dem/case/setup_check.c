@@ -9,7 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/dem_case.h"
 #include "core/error.h"
 #include "walls/wall_periods.h"
 #include <float.h>
@@ -131,19 +131,20 @@ int dem_api_finish_physics(struct dem *d)
 }
 
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
-int dem_api_add_radii(struct dem *d)
+int dem_api_add_radii(struct dem_case *c)
 {
+    struct dem *const d = c->d;
     struct dem_interaction_table *const r = &d->state.interaction_table;
     int m;
 
     dem_insert_radii(&d->scene.insertion, r->min_radius, r->max_radius);
     dem_streams_radii(&d->scene.streams, r->min_radius, r->max_radius);
-    for (size_t k = 0; k < d->initial.n; k++)
+    for (size_t k = 0; k < c->initial.n; k++)
     {
-        const double radius = d->initial.particle[k].radius;
+        const double radius = c->initial.particle[k].radius;
 
-        DEM_TRY(dem_interaction_table_find_material(r, d->initial_material[k], "dem_add_particles",
-                                                    &m));
+        DEM_TRY(dem_interaction_table_find_material(r, c->initial_material[k],
+                                                    "dem_case_add_particles", &m));
         r->min_radius[m] = r->min_radius[m] > 0.0 ? fmin(r->min_radius[m], radius) : radius;
         r->max_radius[m] = fmax(r->max_radius[m], radius);
         if (r->parcels.used)
@@ -157,11 +158,12 @@ int dem_api_add_radii(struct dem *d)
 }
 
 /* Without particles of the program all ids are known from the scene. */
-static int check_bonds(const struct dem *d)
+static int check_bonds(const struct dem_case *c)
 {
+    const struct dem *const d = c->d;
     const int64_t *const id = d->scene.bond_ids, n = dem_insert_next_id(&d->scene.insertion);
 
-    for (size_t k = 0; k + 1 < d->scene.bond_id_count && d->initial.n == 0; k += 2)
+    for (size_t k = 0; k + 1 < d->scene.bond_id_count && c->initial.n == 0; k += 2)
     {
         DEM_REQUIRE(id[k] < n && id[k + 1] < n, DEM_ERROR_INPUT,
                     "bonds/pairs: %lld and %lld, but the scene has ids below %lld only; correct "
@@ -171,15 +173,17 @@ static int check_bonds(const struct dem *d)
     return DEM_OK;
 }
 
-int dem_api_check_scene(struct dem *d)
+int dem_api_check_scene(struct dem_case *c)
 {
+    struct dem *const d = c->d;
+
     DEM_TRY(dem_dict_refuse_unread(d->dict));
     DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
-    if (d->load_path[0])
+    if (c->load_path[0])
     {
         return DEM_OK;
     }
-    DEM_TRY(check_bonds(d));
+    DEM_TRY(check_bonds(c));
     DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
-    return dem_api_add_radii(d);
+    return dem_api_add_radii(c);
 }

@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "case/dem_case.h"
 #include "case/restart.h"
 #include "core/error.h"
 #include "core/memory.h"
@@ -21,14 +22,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The k-th particle of dem_add_particles, with the density of its material. */
-static int complete(const struct dem *d, size_t k, struct dem_particle *whole)
+/* The k-th particle of dem_case_add_particles, with the density of its material. */
+static int complete(const struct dem_case *c, size_t k, struct dem_particle *whole)
 {
-    const struct dem_particle *const p = &d->initial.particle[k];
+    const struct dem *const d = c->d;
+    const struct dem_particle *const p = &c->initial.particle[k];
     int material;
 
-    DEM_TRY(dem_interaction_table_find_material(&d->state.interaction_table, d->initial_material[k],
-                                                "dem_add_particles", &material));
+    DEM_TRY(dem_interaction_table_find_material(&d->state.interaction_table, c->initial_material[k],
+                                                "dem_case_add_particles", &material));
     *whole = dem_particle_sphere(p->id, p->x, 2.0*p->radius,
                                  d->state.interaction_table.material[material].density, material);
     memcpy(whole->v, p->v, sizeof p->v);
@@ -43,44 +45,46 @@ static int complete(const struct dem *d, size_t k, struct dem_particle *whole)
 
 /* Every rank has the whole list and adds every ranks-th particle of it. `id` gets the ids of
    all. */
-static int add_every_nth(struct dem *d, int64_t *id)
+static int add_every_nth(struct dem_case *c, int64_t *id)
 {
-    struct dem_initial_particles *const c = &d->scene.initial;
-    int64_t next = c->next_id;
+    struct dem *const d = c->d;
+    struct dem_initial_particles *const all = &d->scene.initial;
+    int64_t next = all->next_id;
 
-    for (size_t k = 0; k < d->initial.n; k++)
+    for (size_t k = 0; k < c->initial.n; k++)
     {
         struct dem_particle whole;
 
-        DEM_TRY(complete(d, k, &whole));
+        DEM_TRY(complete(c, k, &whole));
         whole.id = id[k] = whole.id < 0 ? next : whole.id;
         DEM_REQUIRE(whole.id < INT64_MAX, DEM_ERROR_INPUT,
-                    "dem_add_particles: id %lld leaves no next one; give a smaller number",
+                    "dem_case_add_particles: id %lld leaves no next one; give a smaller number",
                     (long long)whole.id);
         next = id[k] >= next ? id[k] + 1 : next;
-        dem_initial_particles_count(c, 1, 2.0*whole.radius, whole.mass, whole.material);
+        dem_initial_particles_count(all, 1, 2.0*whole.radius, whole.mass, whole.material);
         if (k%(size_t)d->state.decomposition.ranks == (size_t)d->state.decomposition.rank)
         {
-            DEM_TRY(dem_initial_particles_add(c, whole, "dem_add_particles"));
+            DEM_TRY(dem_initial_particles_add(all, whole, "dem_case_add_particles"));
         }
     }
     return DEM_OK;
 }
 
-/* Particles of dem_add_particles join those that the scene inserts. */
-int dem_api_join_initial(struct dem *d)
+/* Particles of dem_case_add_particles join those that the scene inserts. */
+int dem_api_join_initial(struct dem_case *c)
 {
+    struct dem *const d = c->d;
     int64_t *id;
 
-    if (d->initial.n == 0)
+    if (c->initial.n == 0)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_initial_particles_begin_group(&d->scene.initial, "dem_add_particles"));
-    DEM_TRY(DEM_NEW(id, d->initial.n));
-    int status = add_every_nth(d, id);
+    DEM_TRY(dem_initial_particles_begin_group(&d->scene.initial, "dem_case_add_particles"));
+    DEM_TRY(DEM_NEW(id, c->initial.n));
+    int status = add_every_nth(c, id);
 
-    status = status ? status : dem_insert_refuse_duplicates(&d->scene.insertion, d->initial.n, id);
+    status = status ? status : dem_insert_refuse_duplicates(&d->scene.insertion, c->initial.n, id);
     dem_memory_free(id);
     return status;
 }
@@ -182,9 +186,10 @@ static int sums_bond_energy(const struct dem_interaction_table *r)
     return sums;
 }
 
-/* 1 when the particles displace the fluid and some of them are light (dem_fluid_set_displaced). */
-static int under_relaxes(const struct dem *d)
+/* 1 when the particles displace the fluid and some of them are light (dem_case_fluid_displaced). */
+static int under_relaxes(const struct dem_case *c)
 {
+    const struct dem *const d = c->d;
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     double lightest = INFINITY;
 
@@ -193,14 +198,15 @@ static int under_relaxes(const struct dem *d)
         lightest = fmin(lightest, r->material[m].density);
     }
     return d->with_fluid && d->pressure_gradient
-        && lightest < DEM_EXCHANGE_LIGHT*d->displaced_density;
+        && lightest < DEM_EXCHANGE_LIGHT*c->displaced_density;
 }
 
 /* The groups of columns that an effect reads or writes. A uniform fluid that no body effect
    reads needs none: contact laws read scalars of it. A coupled program always finds those of the
    fluid. */
-static unsigned column_groups(const struct dem *d)
+static unsigned column_groups(const struct dem_case *c)
 {
+    const struct dem *const d = c->d;
     static const struct
     {
         unsigned needs, group;
@@ -216,8 +222,8 @@ static unsigned column_groups(const struct dem *d)
     const int acts = needs & DEM_NEEDS_FLUID || !d->scene.fluid.given;
     unsigned groups = (d->with_fluid && acts ? DEM_GROUP_FLUID : 0)
                     | (sums_bond_energy(r) ? DEM_GROUP_PAIR_ENERGY : 0)
-                    | (d->orientation ? DEM_GROUP_ORIENTATION : 0)
-                    | (under_relaxes(d) ? DEM_GROUP_UNDER_RELAXATION : 0)
+                    | (c->orientation ? DEM_GROUP_ORIENTATION : 0)
+                    | (under_relaxes(c) ? DEM_GROUP_UNDER_RELAXATION : 0)
                     | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
@@ -246,16 +252,17 @@ static void remove_added_mass(struct dem_particles *p)
 }
 
 /* 1 when the scene has the entry `start` and the run begins by it: from its snapshot, or from one that
-   dem_start names. */
-static int has_start(const struct dem *d)
+   dem_case_start_from names. */
+static int has_start(const struct dem_case *c)
 {
-    return d->scene.snapshot && d->start_checked;
+    return c->d->scene.snapshot && c->new_run;
 }
 
 /* Particles of a snapshot keep the scalars that it has. The scene's entry `start` may give others;
    scalars that neither has get the default of their row. */
-static int complete_scalars(struct dem *d)
+static int complete_scalars(struct dem_case *c)
 {
+    struct dem *const d = c->d;
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     struct dem_particles *const p = &d->state.particles;
 
@@ -263,13 +270,13 @@ static int complete_scalars(struct dem *d)
     {
         const struct dem_scalar_entry fallback = {.min = r->scalar[k]->default_value,
                                                   .max = r->scalar[k]->default_value};
-        const struct dem_scalar_entry *const start = has_start(d) ? &d->scene.start_scalar[k]
+        const struct dem_scalar_entry *const start = has_start(c) ? &d->scene.start_scalar[k]
                                                                   : &fallback;
-        const int in_file = (d->snapshot_flows.scalars >> k & 1) != 0;
+        const int in_file = (c->snapshot_flows.scalars >> k & 1) != 0;
 
         DEM_REQUIRE(in_file || start->given || !isnan(r->scalar[k]->default_value), DEM_ERROR_INPUT,
                     "%s has no %s, which the effects need; add start { snapshot \"FILE\"; %s "
-                    "NUMBER; }", d->load_path, r->scalar[k]->name, r->scalar[k]->name);
+                    "NUMBER; }", c->load_path, r->scalar[k]->name, r->scalar[k]->name);
         for (size_t i = 0; (start->given || !in_file) && i < p->n; i++)
         {
             dem_scalar_values(p, k)[i] = dem_scalar_draw(start, k, 1, (uint64_t)p->record[i].id);
@@ -279,9 +286,11 @@ static int complete_scalars(struct dem *d)
 }
 
 /* The scene's entry start/frozen. */
-static void freeze_or_free(struct dem *d)
+static void freeze_or_free(struct dem_case *c)
 {
-    for (size_t i = 0; has_start(d) && d->scene.start_frozen >= 0 && i < d->state.particles.n; i++)
+    struct dem *const d = c->d;
+
+    for (size_t i = 0; has_start(c) && d->scene.start_frozen >= 0 && i < d->state.particles.n; i++)
     {
         struct dem_particle *const r = &d->state.particles.record[i];
         const int frozen = d->scene.start_frozen;
@@ -308,67 +317,49 @@ static void resume_window(struct dem_state *p, const struct dem_snapshot_window 
 
 /* A scene that starts from a snapshot (entry `start`) counts its own streams from 0; the ids
    continue those of the file. */
-int dem_api_begin_flows(struct dem *d)
+int dem_api_begin_flows(struct dem_case *c)
 {
+    struct dem *const d = c->d;
+
     d->state.flows->fluid = &d->scene.fluid;
     d->state.flows->asked = d->flow_on_request;
-    d->snapshot_flows.flows = d->scene_start ? 0 : d->snapshot_flows.flows;
+    c->snapshot_flows.flows = c->scene_start ? 0 : c->snapshot_flows.flows;
     return dem_flows_begin(&d->state, &d->scene.streams,
-                           d->load_path[0] ? &d->snapshot_flows : NULL);
+                           c->load_path[0] ? &c->snapshot_flows : NULL);
 }
 
-int dem_api_create_particles(struct dem *d)
+int dem_api_create_particles(struct dem_case *c)
 {
+    struct dem *const d = c->d;
     struct dem_state *const p = &d->state;
     struct dem_snapshot s;
 
-    d->program_particles = d->initial.n > 0;
-    dem_particles_init(&p->particles, column_groups(d));
+    d->program_particles = c->initial.n > 0;
+    dem_particles_init(&p->particles, column_groups(c));
     DEM_TRY(dem_scalars_add_columns(&p->particles, &p->interaction_table));
     DEM_TRY(dem_api_agree(d, dem_particles_grow(&p->particles, 1)));
-    if (d->load_path[0])
+    if (c->load_path[0])
     {
         /* a rank may have the only particle that is refused */
-        DEM_TRY(dem_api_agree(d, dem_snapshot_read_particles(d->load_path, &s, &p->decomposition,
+        DEM_TRY(dem_api_agree(d, dem_snapshot_read_particles(c->load_path, &s, &p->decomposition,
                                                              &p->interaction_table,
                                                              &p->particles)));
         p->time = s.time;
         p->steps = s.steps;
         resume_window(p, &s.window);
         remove_added_mass(&p->particles);
-        memcpy(&d->snapshot_skins, s.skin_tuning, sizeof d->snapshot_skins);
-        d->snapshot_flows = s;
-        freeze_or_free(d);
-        DEM_TRY(dem_api_agree(d, complete_scalars(d)));
-        return dem_api_compare_scene(d);
+        memcpy(&c->snapshot_skins, s.skin_tuning, sizeof c->snapshot_skins);
+        c->snapshot_flows = s;
+        freeze_or_free(c);
+        DEM_TRY(dem_api_agree(d, complete_scalars(c)));
+        return dem_api_compare_scene(c);
     }
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
                              &p->walls, &p->decomposition));
-    DEM_TRY(dem_api_join_initial(d));
+    DEM_TRY(dem_api_join_initial(c));
     dem_insert_free(&d->scene.insertion);
     DEM_TRY(dem_api_store_initial(d, 0));
     dem_initial_particles_release(&d->scene.initial);
-    dem_initial_particles_release(&d->initial);
-    dem_memory_free(d->initial_material);
-    d->initial_material = NULL;
-    d->initial_capacity = 0;
-    return DEM_OK;
-}
-
-/* ---- snapshots to begin from ----------------------------------------------------------------- */
-
-int dem_load(struct dem *d, const char *path)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_load"));
-    DEM_REQUIRE(strlen(path) < sizeof d->load_path, DEM_ERROR_INPUT, "path %s is longer than %zu "
-                "characters", path, sizeof d->load_path - 1);
-    snprintf(d->load_path, sizeof d->load_path, "%s", path);
-    return DEM_OK;
-}
-
-int dem_start(struct dem *d, const char *path)
-{
-    DEM_TRY(dem_load(d, path));
-    d->start_checked = 1;
+    dem_initial_particles_release(&c->initial);
     return DEM_OK;
 }

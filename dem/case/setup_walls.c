@@ -1,10 +1,10 @@
 /*
- * setup_walls.c -- walls of dem_add_wall: each rank gives its triangles. Those of a wall that moves
- * are gathered on each rank at each movement.
+ * setup_walls.c -- walls of dem_case_add_wall: each rank gives its triangles. Those of a wall that
+ * moves are gathered on each rank at each movement.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/dem_case.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "ranks/collect.h"
@@ -26,6 +26,35 @@ static int follow(struct dem_state *p, int wall)
     dem_wall_search_use_held(s, &p->walls);
     return dem_collect_agree(&p->decomposition,
                              dem_wall_search_prepare(s, &p->walls, s->radius));
+}
+
+/* The original triangles stay; each call overwrites the moved ones. */
+static int copy_moved_corners(struct dem_mesh_wall *w, int64_t n, const double *triangles)
+{
+    DEM_REQUIRE(n >= 0 && (size_t)n == w->n, DEM_ERROR_INPUT, "wall %s is to move with %lld "
+                "triangles, but was added with %zu; a mesh may move, but its faces must stay the "
+                "same", w->name, (long long)n, w->n);
+    if (!w->moved)
+    {
+        DEM_TRY(DEM_NEW(w->moved, 9*w->n + 1));
+    }
+    memcpy(w->moved, triangles, 9*w->n*sizeof *triangles);
+    return DEM_OK;
+}
+
+int dem_api_copy_corners(struct dem *d, const char *call, const char *name, int64_t n,
+                         const double *triangles, struct dem_mesh_wall **wall)
+{
+    size_t k = 0;
+
+    while (k < d->mesh_walls && strcmp(d->mesh_wall[k].name, name) != 0)
+    {
+        k++;
+    }
+    DEM_REQUIRE(k < d->mesh_walls, DEM_ERROR_INPUT,
+                "%s: there is no wall %s of dem_case_add_wall", call, name);
+    *wall = &d->mesh_wall[k];
+    return dem_api_agree(d, copy_moved_corners(*wall, n, triangles));
 }
 
 int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
@@ -100,26 +129,4 @@ static int places_inside(const struct dem_dict *scene)
 void dem_api_begin_walls(struct dem *d)
 {
     dem_wall_store_begin(&d->state.wall_store, &d->state.walls, places_inside(d->dict));
-}
-
-int dem_insert_region(struct dem *d, const char *name, int zone, int64_t n,
-                      const double *triangles)
-{
-    struct dem_insertion_regions *const g = &d->scene.insertion.regions;
-    double *corners;
-    size_t total;
-
-    DEM_TRY(dem_api_require_unchecked(d, "dem_insert_region"));
-    DEM_REQUIRE(strlen(name) < sizeof g->surface->name, DEM_ERROR_INPUT,
-                "zone %s: a name longer than %zu characters; shorten it", name,
-                sizeof g->surface->name - 1);
-    int status = dem_api_require_count("dem_insert_region", "triangles", n);
-
-    status = status ? status : DEM_GROW(g->surface, g->capacity, g->n + 1);
-    DEM_TRY(dem_api_gather(&d->state, status, 9, (size_t)n, triangles, &corners, &total));
-    struct dem_closed_surface *const s = &g->surface[g->n++];
-
-    *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};
-    snprintf(s->name, sizeof s->name, "%s", name);
-    return dem_api_agree(d, dem_closed_surface_init(s, total, corners));
 }

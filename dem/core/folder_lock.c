@@ -1,13 +1,16 @@
 /*
- * folder_lock.c -- lock a folder by a file.
+ * folder_lock.c -- one run at a time in a folder: a file `lock` with the process and the host of
+ * the run, locked by the kernel as long as the process lives.
+ *
+ * A run that was killed leaves the file but not the kernel's lock, so the next run takes it over.
+ * On a file system without locks the process is looked for instead, on the same host.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _POSIX_C_SOURCE 200809L                           /* fcntl, gethostname, kill */
 
-#include "core/folder_lock.h"
 #include "core/error.h"
-#include "dem_types.h"
+#include "dem_tables.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -31,8 +34,8 @@ static void host_name(char host[256])
     host[255] = '\0';
 }
 
-/* The kernel's lock: 0 when this process has it, EAGAIN when another one has, else the reason why the
-   file system has none. */
+/* The kernel's lock: 0 when this process has it, EAGAIN when another one has, else the reason why
+   the file system has none. */
 static int lock_file(int file)
 {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};

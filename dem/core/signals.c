@@ -1,15 +1,16 @@
 /*
- * signals.c -- catch signals: the handler stores the signal's number, which the run reads after each
- * step on all ranks. A file that the run looks for stores a number of its own there.
+ * signals.c -- catch signals that ask a run to save its state and to end: SIGTERM, which batch
+ * systems and mpirun send before they kill; SIGUSR1; SIGINT (Ctrl-C), of which a second one ends
+ * the program at once. The handler stores the signal's number, which the run reads after each step
+ * on all ranks. A file that the run looks for stores a number of its own there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _POSIX_C_SOURCE 200809L                           /* sigaction */
 
-#include "core/signals.h"
 #include "core/clock.h"
 #include "core/error.h"
-#include "dem_types.h"
+#include "dem_tables.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

@@ -3,8 +3,8 @@
  * that the functions of dem.h take and fill.
  *
  * The sections are the same as in dem.h, which says when a struct is filled and how long it is
- * valid. This header includes nothing of the library, so all of its folders may include it. Units
- * are SI; vectors are x, y, z; "1" marks a pure number.
+ * valid; structs of other public headers are in those. This header includes nothing of the library,
+ * so all of its folders may include it. Units are SI; vectors are x, y, z; "1" marks a pure number.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -33,9 +33,9 @@ enum
     DEM_ERROR_MPI      /* an MPI call failed */
 };
 
-/* ---- scene: before dem_check ----------------------------------------------------------------- */
+/* ---- case ------------------------------------------------------------------------------------ */
 
-/* a particle to add: dem_add_particles */
+/* a particle to add: dem_case_add_particles */
 struct dem_new_particle
 {
     double position[3], velocity[3], spin[3];  /* m, m/s, 1/s */
@@ -45,69 +45,7 @@ struct dem_new_particle
     int frozen;                                /* 1: never moves; others collide with it */
 };
 
-/* ---- plan ------------------------------------------------------------------------------------ */
-
-/* 1  largest void fraction of a bed: particles that touch. Random loose packings of spheres have
-   0.44 (Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727), of cohesive ones up to this. */
-#define DEM_BED_VOID_FRACTION 0.6
-
-/* what the program knows of the run ahead, for dem_plan; 0 where unknown */
-struct dem_run_info
-{
-    double duration;       /* s  from now on */
-    double window;         /* s  time step of a coupled fluid */
-    const char *why;       /* what limits the window, in a few words */
-    double cross_section;  /* m2 of the bed, mean over dem_bed_slab; 0: estimated from the walls */
-    double reached_window; /* s  time step that an adjusted one grows to; 0: `window` */
-    const char *reached_why;  /* what limits that */
-    double inflow;         /* m/s  superficial velocity of the fluid that enters, against gravity */
-
-    /* of a mesh and its fluid */
-    double volume, cell;      /* m3 of all cells; m  cube root of the smallest cell */
-    double speed, vorticity;  /* m/s, 1/s  largest */
-    int one_way;              /* 1: particles do not act on the fluid */
-    double patch_speed;       /* m/s  largest speed of the fluid on a patch */
-    double resolution;        /* m  length that a particle should not cross in half a window: the
-                                 smallest cell, or half the kernel's width */
-};
-
-/* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */
-enum dem_effect_trait
-{
-    DEM_TRAIT_PRESSURE_GRADIENT = 1,   /* the force of the full pressure gradient */
-    DEM_TRAIT_FLUID_ACCELERATION = 2,  /* reads Du/Dt of the fluid: added mass */
-    DEM_TRAIT_FLUID_STRESS = 4,        /* reads div tau of the fluid */
-    DEM_TRAIT_FLUID = 8,               /* acts in a fluid only */
-    DEM_TRAIT_TURBULENCE = 32,         /* reads k and epsilon of the fluid */
-    DEM_TRAIT_VISCOSITY = 16           /* reads the viscosity, unless it has a setting of its own */
-};
-
-enum dem_verdict_word
-{
-    DEM_NEEDED,      /* on, and needed */
-    DEM_NEGLIGIBLE,  /* on, but negligible */
-    DEM_MISSING      /* off, though the scene needs it */
-};
-
-/* whether the scene needs one effect: dem_verdicts */
-struct dem_verdict
-{
-    const char *effect;           /* its name */
-    enum dem_verdict_word word;
-    double fraction;              /* 1  its fraction of the quantity that `why` names */
-    double cost;                  /* 1  a negligible effect's fraction of processor time; NaN: not
-                                     measured */
-    char why[200];                /* the reason, and the source of the threshold */
-    const char *replaces;         /* the effect that a DEM_MISSING one replaces, or NULL */
-    const char *missing_setting;  /* the setting that the user must give for it, or NULL */
-};
-
 /* ---- advance --------------------------------------------------------------------------------- */
-
-enum
-{
-    DEM_STOP_FILE = 1000    /* asked to stop by a file; other numbers are signals */
-};
 
 /* time step of a scene: dem_step_limit */
 struct dem_step_limit
@@ -142,7 +80,7 @@ struct dem_totals
     double weight;              /* N  of the moving particles; 0 without gravity */
 };
 
-/* time/untilQuiet: settings, and what the tests have found; docs/scene-reference.md explains them */
+/* time/untilQuiet: settings, and what the tests have found; see docs/scene-reference.md */
 struct dem_quiet
 {
     int wanted;          /* 1: the scene has the entry */
@@ -175,7 +113,7 @@ enum
     DEM_PROFILE_PHASES = 11  /* phases of a step, and the time outside dem_advance */
 };
 
-/* cost of the run since dem_setup: dem_profile; docs/output.md explains it */
+/* cost of the run since dem_start: dem_profile; docs/output.md explains it */
 struct dem_profile
 {
     int ranks;
@@ -270,7 +208,7 @@ struct dem_broken_bond
                                   that held */
 };
 
-/* ---- walls and averages ---------------------------------------------------------------------- */
+/* ---- walls ----------------------------------------------------------------------------------- */
 
 /* of a wall of triangles: dem_wall_info; all 0 for planes, cylinders, spheres */
 struct dem_wall_info
@@ -295,7 +233,7 @@ struct dem_view
     const uint16_t *flags;                     /* with stride; bit 0: frozen */
     const double *force, *torque;              /* N, N m  of contacts, contiguous, 3 each */
     const double *orientation;                 /* contiguous, 4 each; NULL without
-                                                  dem_orientation_enable */
+                                                  dem_case_enable_orientation */
     double period[3];                          /* m  length of the box along periodic axes, 0 along
                                                   others: positions that differ by it are one */
 };
@@ -311,100 +249,6 @@ struct dem_scalar_info
     int changes;            /* 1: effects change it, 0: it stays as it is given */
     int written;            /* 1: it is written with the particles */
     int exchanged;          /* 1: dem_scalar_exchange gives columns */
-};
-
-/* exchange of a scalar s with a fluid or the program over an advance: C ds/dt = q + B (s* - s), with
-   the capacity C and B the sum of the coefficients of effects and of the program. Columns of owned
-   particles, contiguous; in: the program writes them before dem_advance, they stay until it does so
-   again; out: it reads them after. docs/adding-an-effect.md */
-struct dem_scalar_exchange
-{
-    size_t n;                    /* particles */
-    double *source;              /* in   unit C/s  part of q */
-    double *coefficient;         /* in   C/s       part of B */
-    double *target;              /* in   unit      its s* */
-    const double *received;      /* out  unit C    J: what B has given; the partner gets its opposite */
-    const double *coefficient_time;  /* out  C     sum of B h over the steps */
-    const double *response;      /* out  C         R = dJ/ds*, bounded for particles whose s is held */
-    const double *carried_over;  /* out  unit C    of dem_scalar_correct, for the next advance */
-};
-
-/* ---- coupled fluid --------------------------------------------------------------------------- */
-
-/* columns of owned particles, contiguous: dem_fluid. The program writes the "in" ones before
-   dem_advance and reads the "out" ones after it. Values stay with their particle when it changes
-   its rank. Pointers are valid until the next collective call; all are NULL without fluid
-   effects. */
-struct dem_fluid
-{
-    size_t n;                            /* particles */
-    double *velocity;                    /* in   m/s   3 each */
-    double *pressure_gradient;           /* in   Pa/m  3 each, full, hydrostatic part included */
-    double *void_fraction;               /* in   1 */
-    double *density;                     /* in   kg/m3 */
-    double *viscosity;                   /* in   Pa s */
-    double *acceleration;                /* in   m/s2  3 each, Du/Dt; NULL, like the next four,
-                                            unless an effect needs it */
-    double *vorticity;                   /* in   1/s   3 each, curl u */
-    double *stress;                      /* in   N/m3  3 each, div tau, viscous and turbulent */
-    double *mean_diameter;               /* in   m     Sauter mean of the particles around */
-    double *turbulence;                  /* in   m2/s2, m2/s3  2 each, k and epsilon */
-    double *slip_factor;                 /* in   1     change of the slip by a particle's motion,
-                                            relative to a fluid of given velocity; 1 unless set,
-                                            1/e^2 where continuity makes the fluid displace
-                                            (step/sweep_bodies.c) */
-    double *location;                    /* in/out  2 each, for the program: its location in the
-                                            mesh; -1 for a new particle */
-    const double *drag_impulse;          /* out  N s   3 each, J: drag on the particle during the
-                                            last advance */
-    const double *other_impulse;         /* out  N s   3 each, of lift and added mass, less what
-                                            `carried_over_impulse` will take back; NULL without
-                                            them. The fluid gets the opposite of this and of J */
-    const double *angular_impulse;       /* out  N m s 3 each, of rotational drag; NULL without.
-                                            Not given to the fluid */
-    const double *drag_time;             /* out  kg    sum of b h over the steps of the last
-                                            advance, b without slip_factor */
-    const double *response;              /* out  kg    R: d(drag impulse)/d(fluid velocity),
-                                            bounded for held particles */
-    const double *displacement;          /* out  m     3 each, in the last advance */
-    const double *transmitted_fraction;  /* out  1     fraction of a steady force that drag passed
-                                            on to the fluid */
-    const double *carried_over_impulse;  /* out  N s   3 each, impulse of dem_fluid_correct for the
-                                            next advance */
-    double *under_relaxation;            /* out  1     factor for pressure_gradient and acceleration,
-                                            set by dem_fluid_under_relax; 0 for a new particle;
-                                            NULL, like the next one, without light particles
-                                            (dem_fluid_set_displaced) */
-    double *owed_pressure_impulse;       /* in/out  N s  3 each, for the program: impulse of the
-                                            pressure gradient, without its hydrostatic part, that
-                                            the particle has not received yet */
-};
-
-enum
-{
-    DEM_FLOWS = 64    /* limit of streams and outlets; a scene may have fewer */
-};
-
-/* a table of a run: dem_table_name */
-struct dem_table
-{
-    char folder[512], path[640];
-    double start;     /* s  time at which the run starts */
-};
-
-/* sums of streams and outlets at the last rows of flows.csv, for their rates */
-struct dem_flow_sums
-{
-    double time;                                    /* s */
-    double particles[DEM_FLOWS], mass[DEM_FLOWS];   /* 1, kg */
-};
-
-/* a folder that one run at a time writes into */
-struct dem_folder_lock
-{
-    int file;               /* descriptor; 0: not locked */
-    char path[640];
-    char before[300];       /* "process 123 on host box" of a run that has left its lock; or "" */
 };
 
 #ifdef __cplusplus

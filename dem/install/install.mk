@@ -1,4 +1,4 @@
-# install.mk -- make install and uninstall: program, libraries, headers, package suna, man pages.
+# install.mk -- make install and uninstall: program, libraries, headers, Python packages, man pages.
 #
 #   make install PREFIX=/usr/local DESTDIR=     DESTDIR goes before every path, as packages need it
 #   make install LIBDIR=/usr/lib/x86_64-linux-gnu PYTHONDIR=...     other folders
@@ -17,8 +17,10 @@ PYTHON     ?= $(firstword $(wildcard /usr/bin/python3) python3)
 PYTHONDIR  ?= $(shell $(PYTHON) install/python_folder $(PREFIX))
 
 VERSION   := $(shell sed -n 's/^\#define DEM_VERSION "\(.*\)"/\1/p' include/dem.h)
+HEADERS   := $(sort $(wildcard include/*.h))
 SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
 STAGE      = $(BUILD)/stage
+PACKAGES   = suna suna_cost suna_import
 # of Open MPI's compilers, for programs that are compiled by others
 MPI_CFLAGS = $(shell $(CC) -showme:compile)
 MPI_LIBS   = $(shell $(CC) -showme:link)
@@ -32,20 +34,20 @@ fill = sed -e 's|@VERSION@|$(VERSION)|g' -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBD
     -e "s|@INCLUDE_FROM_CMAKE@|$$(realpath -ms --relative-to=$(LIBDIR)/cmake/suna $(INCLUDEDIR))|g" \
     install/$(1) > $(STAGE)$(LIBDIR)/$(2)
 
-$(BUILD)/man/dem.1: $(BUILD)/dem $(SCRIPTS) $(BUILD)/libdem.so install/manpages $(wildcard python/suna/cost/*.py)
+$(BUILD)/man/dem.1: $(BUILD)/dem $(SCRIPTS) $(BUILD)/libdem.so install/manpages $(wildcard ../python/suna_*/*.py)
 	$(call say,man,$(@D))
 	$Qrm -rf $(@D)
-	$QPYTHONPATH=python SUNA_LIBRARY=$(BUILD)/libdem.so SUNA_PYTHON=$(PYTHON) \
+	$QPYTHONPATH=../python SUNA_LIBRARY=$(BUILD)/libdem.so SUNA_PYTHON=$(PYTHON) \
 	    $(PYTHON) install/manpages $(@D) $(VERSION) $(BUILD)/dem
 
 stage: all $(BUILD)/man/dem.1
-	$Qtest -n "$(PYTHONDIR)" || { echo "make install needs python3, for the package suna and the man pages;" \
+	$Qtest -n "$(PYTHONDIR)" || { echo "make install needs python3, for the Python packages and the man pages;" \
 	    "PYTHON=... names one" >&2; exit 1; }
 	$(call say,stage,$(STAGE)$(PREFIX))
 	$Qrm -rf $(STAGE)
 	$Qinstall -d $(STAGE)$(BINDIR) $(STAGE)$(LIBDIR)/pkgconfig $(STAGE)$(LIBDIR)/cmake/suna
 	$Qinstall $(BUILD)/dem $(SCRIPTS) $(STAGE)$(BINDIR)
-	$Qinstall -m 644 -Dt $(STAGE)$(INCLUDEDIR) include/dem.h include/dem_types.h
+	$Qinstall -m 644 -Dt $(STAGE)$(INCLUDEDIR) $(HEADERS)
 	$Qinstall -m 644 $(LIBRARY) $(STAGE)$(LIBDIR)
 	$Qinstall -m 644 $(BUILD)/libdem.so $(STAGE)$(LIBDIR)/libdem.so.$(VERSION)
 	$Qln -s libdem.so.$(VERSION) $(STAGE)$(LIBDIR)/$(SONAME)
@@ -53,8 +55,8 @@ stage: all $(BUILD)/man/dem.1
 	$Q$(call fill,suna.pc.in,pkgconfig/suna.pc)
 	$Q$(call fill,sunaConfig.cmake.in,cmake/suna/sunaConfig.cmake)
 	$Q$(call fill,sunaConfigVersion.cmake.in,cmake/suna/sunaConfigVersion.cmake)
-	$Qcd python && find suna -name '*.py' -exec install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{} \;
-	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include include/dem.h include/dem_types.h
+	$Qcd ../python && find $(PACKAGES) -name '*.py' -exec install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{} \;
+	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include $(HEADERS)
 	$Qln -s $$(realpath -ms --relative-to=$(PYTHONDIR)/suna $(LIBDIR))/$(SONAME) $(STAGE)$(PYTHONDIR)/suna/libdem.so
 	$Qinstall -m 644 -Dt $(STAGE)$(MANDIR)/man1 $(BUILD)/man/*.1
 
@@ -66,4 +68,4 @@ install: stage
 uninstall: stage
 	$(call say,uninstall,$(DESTDIR)$(PREFIX))
 	$Qcd $(STAGE) && find . ! -type d | while read -r file; do rm -f "$(DESTDIR)/$$file"; done
-	$Qrm -rf $(patsubst %,$(DESTDIR)%,$(INCLUDEDIR) $(LIBDIR)/cmake/suna $(PYTHONDIR)/suna)
+	$Qrm -rf $(patsubst %,$(DESTDIR)%,$(INCLUDEDIR) $(LIBDIR)/cmake/suna $(PACKAGES:%=$(PYTHONDIR)/%))

@@ -1,7 +1,7 @@
 /*
  * mpi_error.h -- turn the return code of an MPI call into a status and a message of the library.
  *
- * The library's communicator returns errors (MPI_ERRORS_RETURN, set in dem_create), so a call that
+ * The library's communicator returns errors (MPI_ERRORS_RETURN, set in dem_case_create), so a call that
  * is not checked goes on with an undefined result.
  *
  *     DEM_TRY_MPI(MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_INT64_T, MPI_SUM, comm));

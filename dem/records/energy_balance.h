@@ -21,7 +21,7 @@
  *           is lost.
  *
  * All sums are exact (core/sum.h), and each row is counted by the owner of its lower id: the same
- * digits on any number of ranks. The balance begins in dem_setup and again at every restart. A run
+ * digits on any number of ranks. The balance begins in dem_start and again at every restart. A run
  * without it has no column, no sum and no copy for it.
  *
  * Order of the error: second in the time step for what is elastic, yields, slips or breaks; first

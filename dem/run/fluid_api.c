@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/internal.h"
+#include "dem_fluid.h"
 #include "core/error.h"
 #include "laws/fluid/particle_exchange.h"
 #include "laws/fluid/viscosity.h"
@@ -58,11 +59,6 @@ void dem_fluid_whole_drag(struct dem *d, int yes)
     d->state.interaction_table.bodies.whole_drag = yes;
 }
 
-void dem_fluid_set_displaced(struct dem *d, double density)
-{
-    d->displaced_density = density;
-}
-
 int dem_api_require_fluid_scalars(const struct dem *d)
 {
     const struct dem_interaction_table *const r = &d->state.interaction_table;
@@ -100,11 +96,6 @@ int dem_require_fluid(const struct dem *d)
     return dem_error(DEM_ERROR_INPUT,
                      "effects/%s needs a fluid, and there is none; add fluid { density; "
                      "viscosity; velocity; } or run it in OpenFOAM", d->fluid_user->name);
-}
-
-void dem_fluid_set_density(struct dem *d, double density)
-{
-    d->fluid_density = density;
 }
 
 double dem_fluid_under_relax(struct dem *d)

@@ -6,7 +6,7 @@
 #include "core/block_means.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "dem.h"
+#include "dem_tables.h"
 
 struct dem_means
 {

@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/internal.h"
+#include "dem_tables.h"
 #include "core/error.h"
 #include "run/profile_text.h"
 #include "records/totals.h"
@@ -42,7 +43,6 @@ int dem_totals(struct dem *d, struct dem_totals *t)
 {
     const struct dem_flows *const f = d->state.flows;
 
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_totals comes after dem_setup");
     dem_totals_tally(&d->state, t);
     for (int k = 0; k < f->n; k++)
     {
@@ -68,7 +68,6 @@ void dem_start_overlap(const struct dem *d, struct dem_start_overlap *s)
 
 int dem_profile(struct dem *d, struct dem_profile *profile)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_profile comes after dem_setup");
     dem_profile_take(&d->state, profile);
     return dem_collect_status(&d->state.decomposition);
 }
@@ -84,24 +83,11 @@ int dem_profile_text(struct dem *d, const char **text)
     return DEM_OK;
 }
 
-int dem_orientation_enable(struct dem *d)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_orientation_enable"));
-    d->orientation = 1;
-    return DEM_OK;
-}
-
-int dem_energy_enable(struct dem *d)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_energy_enable"));
-    d->energy = 1;
-    return DEM_OK;
-}
-
 int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_item **item)
 {
-    DEM_REQUIRE(d->is_set_up && d->energy, DEM_ERROR_STATE,
-                "dem_energy comes after dem_setup, and dem_energy_enable before it");
+    DEM_REQUIRE(d->state.energy_balance->open, DEM_ERROR_STATE,
+                "dem_energy: the run keeps no energy balance; call dem_case_enable_energy before "
+                "dem_start");
     dem_energy_balance_report(&d->state);
     *since = d->state.energy_balance->since;
     *n = d->state.energy_balance->items;
@@ -111,14 +97,12 @@ int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_ite
 
 int dem_count_moving(struct dem *d, double energy, int64_t *n)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_count_moving comes after dem_setup");
     *n = dem_totals_moving(&d->state, energy);
     return dem_collect_status(&d->state.decomposition);
 }
 
 int dem_hash(struct dem *d, uint64_t *hash)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_hash comes after dem_setup");
     *hash = dem_totals_fingerprint(&d->state);
     return dem_collect_status(&d->state.decomposition);
 }
@@ -146,7 +130,6 @@ const char *dem_wall_name(const struct dem *d, int wall)
 /* A number from outside; `call` needs it. */
 static int require_wall(const struct dem *d, int wall, const char *call)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "%s comes after dem_setup", call);
     DEM_REQUIRE(is_wall(d, wall), DEM_ERROR_INPUT,
                 "%s: there is no wall %d; the scene has %d, numbered from 0", call, wall,
                 d->state.walls.walls);
@@ -162,7 +145,6 @@ int dem_wall_load(struct dem *d, int wall, double force[3], double torque[3])
 
 int dem_lost(struct dem *d, int64_t *n, const struct dem_loss **loss)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_lost comes after dem_setup");
     DEM_TRY(dem_lost_particles_collect(d->state.lost_particles, &d->state.decomposition, n));
     *loss = d->state.lost_particles->all;
     return DEM_OK;
@@ -185,7 +167,6 @@ int dem_flows(struct dem *d, int *n, const struct dem_flow **flow)
 {
     const struct dem_flows *const f = d->state.flows;
 
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_flows comes after dem_setup");
     *n = f->n > 0 && !d->state.domain.remove ? f->n - 1 : f->n;
     for (int k = 0; k < *n; k++)
     {
@@ -220,7 +201,6 @@ int dem_has_bonds(const struct dem *d)
 
 int dem_bonds(struct dem *d, int64_t *n, const struct dem_bond **bond)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_bonds comes after dem_setup");
     /* after a load or restore there are no lists before the first step */
     if (d->state.stale == 2)
     {
@@ -235,7 +215,6 @@ int dem_bonds(struct dem *d, int64_t *n, const struct dem_bond **bond)
 
 int dem_broken_bonds(struct dem *d, int64_t *n, const struct dem_broken_bond **broken)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_broken_bonds comes after dem_setup");
     DEM_TRY(dem_bonds_collect(d->state.bonds, &d->state.decomposition, n));
     *broken = d->state.bonds->all;
     return DEM_OK;
@@ -250,13 +229,11 @@ const char *dem_broken_bond_cause(int cause)
 
 int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double time)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_bonds_draw comes after dem_setup");
     return dem_api_agree(d, dem_bonds_write_lines(&d->state, d->heading, folder, file, time));
 }
 
 int dem_wall_impulse_reset(struct dem *d)
 {
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_wall_impulse_reset comes after dem_setup");
     return dem_wall_statistics_begin(d->state.wall_statistics, d->state.walls.walls);
 }
 
@@ -296,7 +273,7 @@ void dem_view(const struct dem *d, struct dem_view *v)
     const struct dem_particle *const r = p->record;
 
     *v = (struct dem_view){0};
-    if (!d->is_set_up || !r)
+    if (!r)
     {
         return;
     }
@@ -316,17 +293,11 @@ void dem_view(const struct dem *d, struct dem_view *v)
     memcpy(v->period, d->state.domain.length, sizeof v->period);
 }
 
-int dem_virial_enable(struct dem *d)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_virial_enable"));
-    d->virial = 1;
-    return DEM_OK;
-}
-
 int dem_virial(struct dem *d, double *virial)
 {
-    DEM_REQUIRE(d->is_set_up && d->virial, DEM_ERROR_STATE,
-                "dem_virial comes after dem_setup, and dem_virial_enable before it");
+    DEM_REQUIRE(d->state.contacts.forces.all_rows, DEM_ERROR_STATE,
+                "dem_virial: the run keeps no contact forces; call dem_case_enable_virial before "
+                "dem_start");
     memset(virial, 0, 6*d->state.particles.n*sizeof *virial);
     /* after a load, a restore or a step that failed there are no lists */
     if (d->state.stale < 2 && d->state.contacts.rows.n > 0)
@@ -350,7 +321,6 @@ int dem_averages_count(const struct dem *d)
 
 int dem_effects_record(const struct dem *d, const char *folder, double start)
 {
-    DEM_REQUIRE(d->checked > 0, DEM_ERROR_STATE, "dem_effects_record comes after dem_check");
     return dem_effects_table_begin(folder, start, dem_effect_names(d));
 }
 
@@ -358,10 +328,34 @@ int dem_averages(struct dem *d, const char *folder)
 {
     fenv_t caller;
 
-    DEM_REQUIRE(d->is_set_up, DEM_ERROR_STATE, "dem_averages comes after dem_setup");
     feholdexcept(&caller);    /* squares of samples may overflow */
     const int status = dem_grid_averages_write(d->state.averages, &d->state, folder);
 
     fesetenv(&caller);
     return status;
+}
+
+const struct dem_dict *dem_scene_dict(const struct dem *d)
+{
+    return d->dict;
+}
+
+const char *dem_heading(const struct dem *d)
+{
+    return d->heading;
+}
+
+const char *dem_effect_names(const struct dem *d)
+{
+    return d->heading + DEM_HEADING;
+}
+
+const char *dem_fluid_effect_names(const struct dem *d)
+{
+    return d->fluid_effects;
+}
+
+int dem_gravity_acceleration(const struct dem *d, double g[3])
+{
+    return dem_interaction_table_gravity(&d->state.interaction_table, g) != NULL;
 }

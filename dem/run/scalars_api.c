@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/internal.h"
+#include "dem_fluid.h"
 #include "core/error.h"
 #include "records/totals.h"
 #include "particles/scalars.h"
@@ -49,22 +50,10 @@ int dem_scalar_index(const struct dem *d, const char *name)
 
 double *dem_scalar(struct dem *d, int k)
 {
-    return d->is_set_up && is_scalar(d, k) ? dem_scalar_values(&d->state.particles, k) : NULL;
+    return is_scalar(d, k) ? dem_scalar_values(&d->state.particles, k) : NULL;
 }
 
 /* ---- exchange -------------------------------------------------------------------------------- */
-
-int dem_scalar_exchange_enable(struct dem *d, const char *name)
-{
-    DEM_TRY(dem_api_require_unchecked(d, "dem_scalar_exchange_enable"));
-    DEM_REQUIRE(strlen(name) < sizeof d->exchanged[0], DEM_ERROR_INPUT,
-                "dem_scalar_exchange_enable: name %s is longer than %zu characters", name,
-                sizeof d->exchanged[0] - 1);
-    DEM_REQUIRE(d->exchanges < DEM_SCALARS, DEM_ERROR_STATE,
-                "dem_scalar_exchange_enable: called more than %d times", DEM_SCALARS);
-    snprintf(d->exchanged[d->exchanges++], sizeof d->exchanged[0], "%s", name);
-    return DEM_OK;
-}
 
 static double *column(const struct dem *d, int k, enum dem_scalar_column which)
 {
@@ -73,11 +62,9 @@ static double *column(const struct dem *d, int k, enum dem_scalar_column which)
 
 int dem_scalar_exchange(struct dem *d, int k, struct dem_scalar_exchange *x)
 {
-    DEM_REQUIRE(d->is_set_up && is_scalar(d, k)
-                    && d->state.interaction_table.exchanged[k],
-                DEM_ERROR_STATE,
-                "dem_scalar_exchange: no scalar %d is exchanged; it comes after dem_setup, and "
-                "dem_scalar_exchange_enable before", k);
+    DEM_REQUIRE(is_scalar(d, k) && d->state.interaction_table.exchanged[k], DEM_ERROR_STATE,
+                "dem_scalar_exchange: no scalar %d is exchanged; call dem_case_exchange_scalar before "
+                "dem_start", k);
     *x = (struct dem_scalar_exchange){.n = d->state.particles.n,
                                       .source = column(d, k, DEM_SCALAR_SOURCE),
                                       .coefficient = column(d, k, DEM_SCALAR_COEFFICIENT),
@@ -108,8 +95,7 @@ int dem_scalar_correct(struct dem *d, int k, const double *target)
 
 int dem_scalar_total(struct dem *d, int k, double *total)
 {
-    DEM_REQUIRE(d->is_set_up && is_scalar(d, k), DEM_ERROR_STATE,
-                "dem_scalar_total: there is no scalar %d; it comes after dem_setup", k);
+    DEM_REQUIRE(is_scalar(d, k), DEM_ERROR_INPUT, "dem_scalar_total: there is no scalar %d", k);
     *total = dem_totals_scalar(&d->state, k);
     return dem_collect_status(&d->state.decomposition);
 }

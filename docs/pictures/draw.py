@@ -36,9 +36,9 @@ def rows(path):
 
 def series(study, name, quantity):
     """[(level, processor time [s], error [%]), ...] of a stored cost study"""
-    return [(float(r["rung"]), float(r["processor[s]"]), 100*float(r["error"]))
+    return [(float(r["level"]), float(r["processor[s]"]), 100*float(r["error"]))
             for r in rows(STUDIES/study/"cost.csv")
-            if r["ladder"] == name and r["quantity"] == quantity]
+            if r["series"] == name and r["quantity"] == quantity]
 
 
 def line(axes, number, points, label):

@@ -37,6 +37,10 @@ from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+import tap
+from tap import claim, finish, skip
+
 __all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_refused", "claim_tables", "close",
            "difference", "finish", "function_object", "head", "here", "largest", "math", "np", "os", "re",
            "read_field", "shutil", "signal", "skip", "snapshot_hash", "subprocess", "sys", "thorough", "time",
@@ -55,35 +59,7 @@ signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
 # couples a solver of OpenFOAM; an entry of controlDict
 function_object = 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n'
 
-# ---- TAP -------------------------------------------------------------------------------------------
-
-claims = 0
-failures = 0
-
-
-def claim(what, condition, *notes):
-    """Print "ok" when the condition, or what it returns, is true; else "not ok" with the notes."""
-    global claims, failures
-    claims += 1
-    if callable(condition):
-        try:
-            condition = condition()
-        except Exception:
-            notes += (traceback.format_exc(),)
-            condition = False
-    print(f"{'ok' if condition else 'not ok'} {claims} - {what}")
-    if not condition:
-        failures += 1
-        for note in notes:
-            print("#   " + str(note).rstrip().replace("\n", "\n#   "))
-    sys.stdout.flush()
-    return bool(condition)
-
-
-def skip(what, why):
-    global claims
-    claims += 1
-    print(f"ok {claims} - {what} # SKIP {why}", flush=True)
+# ---- claims ----------------------------------------------------------------------------------------
 
 
 def claim_ran(what, case, command="demPimpleFoam"):
@@ -100,7 +76,6 @@ def claim_refused(what, case, words, *command, **options):
           and not re.search("^(ExecutionTime|End)|sigFpe", run.log, re.M), *run.log.splitlines()[-12:])
 
 
-
 def claim_tables(what, folder, *names):
     """These tables are CSV that any reader takes without options: Python's, and pandas where it is installed."""
     check = [coupled.parent/"csv_tables.py", *(folder/f"{name}.csv" for name in names)]
@@ -113,14 +88,9 @@ def claim_tables(what, folder, *names):
     skip(f"{what}, as pandas.read_csv(FILE) takes them", "no Python here has pandas (Debian: python3-pandas)")
 
 
-def finish():
-    print(f"1..{claims}")
-    sys.exit(1 if failures or not claims else 0)
-
-
 def _unexpected(kind, value, trace):
     claim("the test runs to its end", False, "".join(traceback.format_exception(kind, value, trace)))
-    print(f"1..{claims}", flush=True)
+    print(f"1..{tap.claims}", flush=True)
 
 
 sys.excepthook = _unexpected
@@ -263,7 +233,8 @@ functions {{ {functions} }}""")
             command = ["mpirun", "-np", str(ranks), *options, *command, "-parallel"]
         with open(self/name, "w") as out:
             process = subprocess.Popen(command, cwd=self.path, stdin=subprocess.DEVNULL, stdout=out,
-                                       stderr=subprocess.STDOUT, env={**os.environ, "PWD": str(self.path), **(env or {})},
+                                       stderr=subprocess.STDOUT,
+                                       env={**os.environ, "PWD": str(self.path), **(env or {})},
                                        start_new_session=True)
             status = _wait(process, limit)
         return Run(status, self.read(name))
@@ -444,8 +415,8 @@ def close(a, b, share):
 
 
 def worst(log, key):
-    """The largest number after "key " in a log; an error when there is none."""
-    return max(float(number) for number in re.findall(rf"{re.escape(key)} ([-+0-9.e]+)", log))
+    """The largest number after "key " in a log, nan when one of them is; an error when there is none."""
+    return float(np.max([float(number) for number in re.findall(rf"{re.escape(key)} ([-+0-9.einfa]+)", log)]))
 
 
 def agrees(a, b):

@@ -76,13 +76,15 @@ static int scene(const char *effects, const char *pairs)
         "effects { %s }\n pairs { %s }\n time { step 1e-9; }",
         effects, pairs);
     const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
-    struct dem *d;
+    struct dem_case *c;
+    struct dem *d = NULL;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    int status = dem_scene_text(d, text, "scene");
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    int status = dem_case_scene_text(c, text, "scene");
 
-    status = status ? status : dem_add_particles(d, 1, &seed);
-    status = status ? status : dem_setup(d);
+    status = status ? status : dem_case_add_particles(c, 1, &seed);
+    status = status ? status : dem_start(&c, &d);
+    dem_case_free(c);
     dem_free(d);
     free(text);
     return status;

@@ -57,15 +57,16 @@ void fuzz_judge(int status)
 
 void fuzz_scene(const char *text)
 {
-    struct dem *d;
+    struct dem_case *c;
+    struct dem *d = NULL;
 
     fuzz_trap();
-    int status = dem_create(&d, MPI_COMM_NULL);
+    int status = dem_case_create(&c, MPI_COMM_NULL);
 
     if (!status)
     {
-        status = dem_scene_text(d, text, "scene");
-        status = status ? status : dem_setup(d);
+        status = dem_case_scene_text(c, text, "scene");
+        status = status ? status : dem_start(&c, &d);
         status =
             status
                 ? status
@@ -75,6 +76,7 @@ void fuzz_scene(const char *text)
                                        /* a sphere of 1e-13 m takes 1e7 steps for 1e-9 s */
                                        .used));
         fuzz_judge(status);
+        dem_case_free(c);
         dem_free(d);
     }
     fuzz_untrap();

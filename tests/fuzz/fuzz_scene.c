@@ -40,23 +40,23 @@ static void read_other_entries(const struct dem_dict *scene)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *const text = malloc(size + 1);
-    struct dem *d;
+    struct dem_case *c;
 
     memcpy(text, data, size);
     text[size] = '\0';
     fuzz_trap();
-    int status = dem_create(&d, MPI_COMM_NULL);
+    int status = dem_case_create(&c, MPI_COMM_NULL);
 
     if (!status)
     {
-        status = dem_scene_text(d, text, "scene");
+        status = dem_case_scene_text(c, text, "scene");
         if (!status)
         {
-            read_other_entries(dem_scene_dict(d));
+            read_other_entries(dem_case_dict(c));
         }
-        status = status ? status : dem_check(d);
+        status = status ? status : dem_case_check(c);
         fuzz_judge(status);
-        dem_free(d);
+        dem_case_free(c);
     }
     fuzz_untrap();
     free(text);

@@ -45,20 +45,21 @@ static const char grains[] =
     "velocity (0.1 0 -0.1); } soft { type list; material clay; diameter 0.8e-3; "
     "positions ((0.004 0.002 0.00039) (0.0048 0.002 0.00039)); spin (0 50 0); } ";
 
-static struct dem *begin(const char *insert)
+static struct dem_case *begin(const char *insert)
 {
     char text[sizeof scene + sizeof grains];
-    struct dem *d = NULL;
+    struct dem_case *c = NULL;
 
     snprintf(text, sizeof text, scene, insert);
-    return dem_create(&d, MPI_COMM_NULL) || dem_scene_text(d, text, "scene") ? NULL : d;
+    return dem_case_create(&c, MPI_COMM_NULL) || dem_case_scene_text(c, text, "scene") ? NULL : c;
 }
 
 int fuzz_snapshot(const char *path, int steps)
 {
-    struct dem *const d = begin(grains);
+    struct dem_case *c = begin(grains);
+    struct dem *d = NULL;
     const int status =
-        !d || dem_setup(d) || (steps > 0 && dem_advance(d, 1e-6*steps)) || dem_save(d, path);
+        !c || dem_start(&c, &d) || (steps > 0 && dem_advance(d, 1e-6*steps)) || dem_save(d, path);
 
     dem_free(d);
     return status;
@@ -120,18 +121,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     size_t n = size;
     uint8_t *const file = corrected(data, &n);
     const char *const path = fuzz_file(file, n);
-    struct dem *const d = begin("");
+    struct dem_case *c = begin("");
+    struct dem *d = NULL;
     uint64_t fingerprint;
 
     free(file);
     fuzz_trap();
-    if (d)
+    if (c)
     {
-        int status = dem_load(d, path);
+        int status = dem_case_load(c, path);
 
-        status = status ? status : dem_setup(d);
+        status = status ? status : dem_start(&c, &d);
         status = status ? status : dem_advance(d, 1e-6);
         fuzz_judge(status);
+        dem_case_free(c);
         dem_free(d);
         fuzz_judge(dem_snapshot_fingerprint(path, &fingerprint));
         fuzz_judge(status);

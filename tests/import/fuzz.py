@@ -23,10 +23,11 @@ import test_cases
 import test_liggghts
 
 import suna
-from suna.importer import __main__ as importer
-from suna.importer.liggghts_mesh import write_stl
-from suna.importer.report import CannotTranslate, Report
-from suna.importer.units import Units
+from suna_import import __main__ as importer
+from suna_import.liggghts_mesh import write_stl
+from suna_import.report import CannotTranslate, Report
+from suna_import.units import Units
+from tap import claim, finish
 
 WORK = Path(sys.argv[1]).resolve()/"fuzz"
 SECONDS = float(sys.argv[2]) if len(sys.argv) > 2 else 300.0 if os.environ.get("SUNA_LONG") else 10.0
@@ -246,15 +247,11 @@ def main():
         if time.monotonic() >= end:
             break
         number += 1
-    for k, (n, text) in enumerate(faults.values(), 1):
-        print(f"not ok {k} - input {n}")
-        print("".join(f"#   {line}\n" for line in text.splitlines()), end="")
-    if not faults:
-        print("ok 1 - each input ends in a scene or in a sentence with file and line")
+    claim("each input ends in a scene or in a sentence with file and line", not faults,
+          "\n".join(f"input {n}: {text}" for n, text in faults.values()))
     print(f"# inputs {FIRST} to {number}")
-    print(f"1..{max(1, len(faults))}")
-    return len(faults) > 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

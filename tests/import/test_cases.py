@@ -11,19 +11,19 @@ import re
 import shutil
 import subprocess
 import sys
-import traceback
 from pathlib import Path
 
 import numpy
 from scipy.integrate import solve_ivp
 from scipy.special import erfinv
 
-from suna.importer import cfdem, cfdem_models, cloud, cloud_injection, cloud_models, cloud_sizes
-from suna.importer.foam_dictionary import read_dictionary
-from suna.importer.liggghts_mesh import read_triangles, write_stl
-from suna.importer.mesh_patches import read_patches
-from suna.importer.mesh_surfaces import distance, samples
-from suna.importer.report import APPROXIMATED, HARMLESS, TRANSLATED, CannotTranslate, Report
+from suna_import import cfdem, cfdem_models, cloud, cloud_injection, cloud_models, cloud_sizes
+from suna_import.foam_dictionary import read_dictionary
+from suna_import.liggghts_mesh import read_triangles, write_stl
+from suna_import.mesh_patches import read_patches
+from suna_import.mesh_surfaces import distance, samples
+from suna_import.report import APPROXIMATED, HARMLESS, TRANSLATED, CannotTranslate, Report
+from tap import finish, run_tests, skip
 
 WORK = Path(sys.argv[1])/"cases"
 
@@ -858,24 +858,13 @@ RUNS = [cloud_runs, cfdem_runs]
 
 def main():
     WORK.mkdir(parents=True, exist_ok=True)
-    tests = TESTS + RUNS
-    failures = 0
-    for number, test in enumerate(tests, 1):
-        name = test.__doc__.split("\n")[0]
-        if test in RUNS and shutil.which("demPimpleFoam") is None:
-            print(f"ok {number} - {name} # SKIP no demPimpleFoam", flush=True)
-            continue
-        try:
-            test()
-            print(f"ok {number} - {name}", flush=True)
-        except Exception:
-            failures += 1
-            print(f"not ok {number} - {name}")
-            print("".join("#   " + line + "\n" for line in traceback.format_exc().splitlines()),
-                  end="", flush=True)
-    print(f"1..{len(tests)}")
-    return failures > 0
+    run_tests(*TESTS)
+    if shutil.which("demPimpleFoam"):
+        run_tests(*RUNS)
+    else:
+        skip("the translated cases run", "no demPimpleFoam")
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

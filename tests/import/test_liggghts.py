@@ -11,22 +11,21 @@ import os
 import re
 import subprocess
 import sys
-import traceback
 from pathlib import Path
 
 import numpy
 
 import suna
-from suna.importer.liggghts import Translation
-from suna.importer.liggghts_contact import COHESION, NORMAL, ROLLING, TANGENTIAL
-from suna.importer.liggghts_expression import Dynamic, Expression, Malformed
-from suna.importer.liggghts_insertion import Distribution, Template
-from suna.importer.liggghts_mesh import read_triangles, write_stl
-from suna.importer.liggghts_packing import count_placed
-from suna.importer.liggghts_region import Region
-from suna.importer.liggghts_scene import write_scenes
-from suna.importer.report import (APPROXIMATED, HARMLESS, LOST, TRANSLATED, CannotTranslate,
+from suna_import.liggghts import Translation
+from suna_import.liggghts_contact import COHESION, NORMAL, ROLLING, TANGENTIAL
+from suna_import.liggghts_expression import Dynamic, Expression, Malformed
+from suna_import.liggghts_mesh import read_triangles, write_stl
+from suna_import.liggghts_packing import count_placed
+from suna_import.liggghts_region import Region
+from suna_import.liggghts_scene import write_scenes
+from suna_import.report import (APPROXIMATED, HARMLESS, LOST, TRANSLATED, CannotTranslate,
                                   Report)
+from tap import finish, run_tests
 
 DEM, WORK = os.environ["DEM"], Path(sys.argv[1])/"liggghts"
 
@@ -919,20 +918,9 @@ TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_o
 
 def main():
     WORK.mkdir(parents=True, exist_ok=True)
-    failures = 0
-    for number, test in enumerate(TESTS, 1):
-        name = test.__doc__.split("\n")[0]
-        try:
-            test()
-            print(f"ok {number} - {name}", flush=True)
-        except Exception:
-            failures += 1
-            print(f"not ok {number} - {name}")
-            print("".join("#   " + line + "\n" for line in traceback.format_exc().splitlines()),
-                  end="", flush=True)
-    print(f"1..{len(TESTS)}")
-    return failures > 0
+    run_tests(*TESTS)
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -1,13 +1,13 @@
 /*
- * test_api.c -- wrong calls of dem.h.
+ * test_api.c -- wrong calls of the public headers.
  *
- * - Calls in the wrong order and impossible particles are refused with one sentence; a scene that
- *   was refused stays refused.
+ * - Calls in an order that the types allow and impossible particles are refused with one sentence; a
+ *   scene that was refused stays refused.
  * - Particles of the caller and of the scene never share an id.
  * - A frozen particle does not move under any force.
  * - Lattices stay in their box.
- * - Each query before the set-up, and after one that failed, is refused or returns nothing; so is
- *   each number of a wall, scalar, effect or item that does not exist. Run it with
+ * - Queries of a case that has been checked return what is known; each number of a wall, scalar,
+ *   effect or item that does not exist returns nothing or is refused. Run it with
  *   -fsanitize=address,undefined after a change of the calls.
  *
  * Source: the contract in dem.h.
@@ -29,56 +29,70 @@ static void refused(int status, const char *word, const char *what)
     }
 }
 
+/* What the types leave to be refused: a case without a scene, two scenes, changes of a case that
+   has been checked. */
 static void order(void)
 {
     const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
-    struct dem *d;
+    struct dem_quiet quiet;
+    struct dem_case *c;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    refused(dem_set(d, "time/step", "1"), "scene", "dem_set before a scene");
-    refused(dem_setup(d), "scene", "dem_setup before a scene");
-    refused(dem_check(d), "scene", "dem_check before a scene");
-    refused(dem_advance(d, 1.0), "dem_setup", "dem_advance before dem_setup");
-    refused(dem_save(d, "/nowhere/x"), "dem_setup", "dem_save before dem_setup");
-    WORLD_TRY(dem_scene_text(d, materials, "scene"));
-    refused(dem_scene_text(d, materials, "scene"), "already", "a second scene");
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_check(d));
-    TAP_OK(dem_step_limit(d).used > 0.0, "dem_check returns the step");
-    refused(dem_check(d), "dem_check", "dem_check twice");
-    refused(dem_set(d, "time/step", "1"), "dem_check", "dem_set after dem_check");
-    WORLD_TRY(dem_setup(d));
-    refused(dem_setup(d), "dem_setup", "dem_setup twice");
-    refused(dem_add_particles(d, 1, &seed), "dem_setup", "particles after dem_setup");
-    refused(dem_set(d, "time/step", "1"), "dem_setup", "dem_set after dem_setup");
-    refused(dem_load(d, "x"), "dem_setup", "dem_load after dem_setup");
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    refused(dem_case_set(c, "time/step", "1"), "scene", "dem_case_set before a scene");
+    refused(dem_case_check(c), "scene", "dem_case_check before a scene");
+    refused(dem_case_read_quiet(c, &quiet), "scene", "dem_case_read_quiet before a scene");
+    TAP_OK(!dem_case_checked(c) && !dem_case_dict(c), "before a scene there is nothing to ask");
+    WORLD_TRY(dem_case_scene_text(c, materials, "scene"));
+    refused(dem_case_scene_text(c, materials, "scene"), "already", "a second scene");
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    TAP_OK(!dem_case_checked(c), "before dem_case_check there is nothing to ask");
+    WORLD_TRY(dem_case_check(c));
+    TAP_OK(dem_step_limit(dem_case_checked(c)).used > 0.0, "dem_case_check finds the step");
+    refused(dem_case_check(c), "already", "dem_case_check twice");
+    refused(dem_case_set(c, "time/step", "1"), "dem_case_check", "dem_case_set after dem_case_check");
+    refused(dem_case_add_particles(c, 1, &seed), "dem_case_check", "particles after dem_case_check");
+    refused(dem_case_load(c, "x"), "dem_case_check", "dem_case_load after dem_case_check");
+    dem_free(world_start(c));
+
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    refused(world_status(c), "scene", "dem_start before a scene");
+    c = world_begin("materials { }");
+    refused(dem_case_check(c), "material", "a scene without materials");
+    TAP_OK(!dem_case_checked(c), "of a scene that was refused there is nothing to ask");
+    refused(dem_case_check(c), "start again", "dem_case_check after a scene that was refused");
+    refused(dem_case_set(c, "time/step", "1"), "start again", "dem_case_set after it");
+    refused(world_status(c), "start again", "dem_start after it");
+}
+
+static void advances(void)
+{
+    const struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass"};
+    struct dem *const d = world(materials, 1, &seed);
+    double force[3], torque[3];
+
     refused(dem_advance(d, 0.0), "above 0", "no duration");
     refused(dem_advance(d, -1.0), "above 0", "a duration below 0");
     refused(dem_advance(d, (double)NAN), "above 0", "a duration that is not a number");
     refused(dem_save(d, "/nowhere/at/all/x"), "/nowhere/at/all/x",
             "a snapshot in a missing folder");
-    double force[3], torque[3];
-
     refused(dem_wall_load(d, 0, force, torque), "wall", "the load on a missing wall");
     refused(dem_advance(d, 1e300), "1e+300", "more steps than can be counted");
     TAP_OK(dem_advance(d, 1e-6) == 0, "after all refusals the run works");
     dem_free(d);
-    d = world_begin("materials { }");
-    refused(dem_check(d), "material", "a scene without materials");
-    refused(dem_setup(d), "start again", "dem_setup after a scene that was refused");
-    refused(dem_check(d), "start again", "dem_check after a scene that was refused");
-    dem_free(d);
 }
 
-/* dem_setup with these particles */
+/* the status of a start with these particles */
 static int try_particles(const char *scene, int n, const struct dem_new_particle *seed)
 {
-    struct dem *d = world_begin(scene);
-    int status = dem_add_particles(d, n, seed);
+    struct dem_case *const c = world_begin(scene);
+    const int status = dem_case_add_particles(c, n, seed);
 
-    status = status ? status : dem_setup(d);
-    dem_free(d);
-    return status;
+    if (status)
+    {
+        dem_case_free(c);
+        return status;
+    }
+    return world_status(c);
 }
 
 static void particles(void)
@@ -201,124 +215,34 @@ static void lattices(void)
     }
 }
 
-/* ---- calls before their time, and numbers out of range --------------------------------------- */
+/* ---- a checked case, and numbers out of range ------------------------------------------------ */
 
-#define REFUSED_STATE(call) refused_state(call, #call)
-
-static int wrong;    /* calls that returned something else */
-
-static void refused_state(int status, const char *call)
-{
-    if (status != DEM_ERROR_STATE || !strstr(dem_error_text(), "dem_setup"))
-    {
-        TAP_NOTE("%s: status %d: %s", call, status, status ? dem_error_text() : "");
-        wrong++;
-    }
-}
-
-/* Queries that return a status */
-static void refuse_queries(struct dem *d)
-{
-    const struct dem_energy_item *item;
-    const struct dem_run_info run = {.duration = 1.0};
-    const struct dem_broken_bond *broken;
-    const struct dem_bond *bond;
-    const struct dem_loss *loss;
-    const struct dem_flow *flow;
-    struct dem_flow_sums sums = {0};
-    struct dem_scalar_exchange x;
-    struct dem_profile profile;
-    struct dem_totals t;
-    double a[3], b[3];
-    const char *text;
-    uint64_t hash;
-    int64_t n;
-    int k;
-
-    REFUSED_STATE(dem_totals(d, &t));
-    REFUSED_STATE(dem_hash(d, &hash));
-    REFUSED_STATE(dem_count_moving(d, 0.0, &n));
-    REFUSED_STATE(dem_profile(d, &profile));
-    REFUSED_STATE(dem_profile_text(d, &text));
-    REFUSED_STATE(dem_energy(d, a, &k, &item));
-    REFUSED_STATE(dem_lost(d, &n, &loss));
-    REFUSED_STATE(dem_flows(d, &k, &flow));
-    REFUSED_STATE(dem_flow_apply(d, &k));
-    REFUSED_STATE(dem_bonds(d, &n, &bond));
-    REFUSED_STATE(dem_broken_bonds(d, &n, &broken));
-    REFUSED_STATE(dem_bonds_draw(d, ".", "x", 0.0));
-    REFUSED_STATE(dem_wall_load(d, 0, a, b));
-    REFUSED_STATE(dem_wall_impulse_reset(d));
-    REFUSED_STATE(dem_wall_impulse(d, 0, a, b));
-    REFUSED_STATE(dem_wall_corners(d, 0, NULL));
-    REFUSED_STATE(dem_averages(d, "."));
-    REFUSED_STATE(dem_virial(d, a));
-    REFUSED_STATE(dem_plan(d, &run, &text));
-    REFUSED_STATE(dem_warnings(d, &run, 0, NULL, &text));
-    REFUSED_STATE(dem_impact_warning(d, 0.0, &text));
-    REFUSED_STATE(dem_scalar_exchange(d, 0, &x));
-    REFUSED_STATE(dem_scalar_correct(d, 0, a));
-    REFUSED_STATE(dem_scalar_total(d, 0, a));
-    REFUSED_STATE(dem_save(d, "x"));
-    REFUSED_STATE(dem_backup_every(d, 1));
-    REFUSED_STATE(dem_advance(d, 1.0));
-    REFUSED_STATE(dem_flow_sums_set(&sums, d, 0.0));
-    REFUSED_STATE(dem_table_add_flows(NULL, d, 0.0, &sums));
-}
-
-/* Queries that return none */
-static int returns_nothing(struct dem *d)
-{
-    const struct dem_verdict *verdict;
-    struct dem_start_overlap start;
-    struct dem_view v;
-    double a[3], low, high;
-
-    dem_view(d, &v);
-    dem_start_overlap(d, &start);
-    return v.n == 0 && !v.position && !v.radius && !v.flags && !v.force && !dem_scalar(d, 0)
-        && start.wall == 0.0 && dem_verdicts(d, &verdict) == 0
-        && dem_bed_slab(d, a, &low, &high) == 0 && a[2] == 0.0 && high == 0.0
-        && dem_fluid_relaxation(d) == 0.0 && dem_fluid_under_relax(d) == 1.0
-        && dem_stopped(d) == 0;
-}
-
-static void before(struct dem *d, const char *when)
-{
-    wrong = 0;
-    refuse_queries(d);
-    TAP_OK(wrong == 0, "%s: each query is refused as one that comes after dem_setup", when);
-    TAP_OK(returns_nothing(d), "%s: calls without a status return nothing", when);
-}
-
-static void unready(void)
+/* The queries of a case that has been checked: there are no particles yet. */
+static void checked(void)
 {
     const struct dem_new_particle overlap[2] =
         {{.diameter = 1e-3, .id = -1, .material = "glass"},
          {.position = {1e-4, 0, 0}, .diameter = 1e-3, .id = -1, .material = "glass"}};
-    const struct dem_run_info run = {.duration = 1.0};
-    struct dem_quiet quiet;
-    const char *text;
-    struct dem *d;
+    struct dem_case *const c = world_begin(materials);
+    const struct dem_verdict *verdict;
+    struct dem_start_overlap start;
+    struct dem_view v;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    before(d, "without a scene");
-    refused(dem_quiet_read(d, &quiet), "scene", "dem_quiet_read without a scene");
-    refused(dem_warnings(d, &run, 0, NULL, &text), "dem_setup", "dem_warnings without a scene");
-    refused(dem_effects_record(d, ".", 0.0), "dem_check", "dem_effects_record before dem_check");
-    TAP_OK(dem_step_limit(d).used == 0.0 && dem_step_limit(d).limit == 0.0
-               && dem_wall_count(d) == 0 && dem_wall_name(d, 0)[0] == '\0',
-           "without a scene there is no step and no wall");
-    WORLD_TRY(dem_scene_text(d, materials, "scene"));
-    before(d, "with a scene");
-    WORLD_TRY(dem_add_particles(d, 2, overlap));
-    WORLD_TRY(dem_check(d));
-    before(d, "after dem_check");
-    refused(dem_setup(d), "overlap", "two particles at one place");
-    before(d, "after a set-up that failed");
-    refused(dem_setup(d), "start again", "dem_setup again");
-    refused(dem_add_particles(d, 2, overlap), "start again", "particles after a set-up that failed");
-    dem_free(d);
+    WORLD_TRY(dem_case_add_particles(c, 2, overlap));
+    WORLD_TRY(dem_case_check(c));
+    const struct dem *const d = dem_case_checked(c);
+
+    dem_view(d, &v);
+    dem_start_overlap(d, &start);
+    TAP_OK(v.n == 0 && !v.position && !v.radius && !v.flags && !v.force && start.wall == 0.0
+               && dem_verdicts(d, &verdict) == 0 && dem_fluid_relaxation(d) == 0.0
+               && dem_stopped(d) == 0 && dem_ranks_agree(d) && dem_averages_count(d) == 0,
+           "a checked case has no particles, no verdicts, no rates");
+    TAP_OK(dem_wall_count(d) == 0 && strcmp(dem_effect_names(d), "hertz") == 0
+               && strcmp(dem_material_name(d, 0), "glass") == 0 && !dem_has_bonds(d)
+               && !dem_needs_fluid(d) && dem_scene_dict(d) == dem_case_dict(c),
+           "it has the names of its effects and materials");
+    refused(world_status(c), "overlap", "two particles at one place");
 }
 
 static int no_wall(const struct dem *d, int wall)
@@ -373,7 +297,7 @@ static void ranges(void)
            "the first of each is there");
     TAP_OK(strcmp(dem_signal_name(SIGINT), "SIGINT") == 0 && dem_signal_name(0)[0] == '\0'
                && strcmp(dem_broken_bond_cause(-1), "unknown") == 0
-               && dem_scene_name(d, "", -1) == NULL && dem_effect_traits("") == 0,
+               && dem_scene_name(dem_scene_dict(d), "", -1) == NULL && dem_effect_traits("") == 0,
            "signals, causes, entries and traits that do not exist");
     refused(dem_fluid_reaction(d, 1.0, &coefficient, force), "fluid",
             "the reaction on a fluid that is not there");
@@ -386,26 +310,28 @@ static void counts(void)
     const double triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, velocity[3] = {0, 0, 0};
     const struct dem_run_info run = {.duration = 1.0};
     const int64_t id = 0;
-    struct dem *d = world_begin(materials);
+    struct dem_case *c = world_begin(materials);
     const char *text;
 
-    refused(dem_add_wall(d, "w", "glass", -1, triangle), "dem_add_wall: -1 triangles",
+    refused(dem_case_add_wall(c, "w", "glass", -1, triangle), "dem_case_add_wall: -1 triangles",
             "a wall of -1 triangles");
-    refused(dem_add_wall(d, "w", "glass", INT64_MAX, triangle), "more than memory",
+    refused(dem_case_add_wall(c, "w", "glass", INT64_MAX, triangle), "more than memory",
             "a wall of very many triangles");
-    refused(dem_insert_region(d, "r", 0, -1, triangle), "-1 triangles", "a region of -1 triangles");
-    refused(dem_flow_patch(d, "p", -1, triangle, velocity), "-1 triangles", "a patch of -1 triangles");
-    refused(dem_flow_patch(d, "p", INT64_MIN, triangle, velocity), "triangles",
+    refused(dem_case_add_region(c, "r", 0, -1, triangle), "-1 triangles", "a region of -1 triangles");
+    refused(dem_case_add_patch(c, "p", -1, triangle, velocity), "-1 triangles", "a patch of -1 triangles");
+    refused(dem_case_add_patch(c, "p", INT64_MIN, triangle, velocity), "triangles",
             "a patch of fewest triangles");
-    refused(dem_add_particles(d, -1, &seed), "-1 particles", "-1 particles");
-    refused(dem_add_particles(d, INT64_MAX, &seed), "more than memory", "very many particles");
-    WORLD_TRY(dem_add_wall(d, "w", "glass", 1, triangle));
-    refused(dem_wall_move(d, "w", -1, triangle), "-1", "a wall that moves with -1 triangles");
-    dem_free(d);
-    d = world_begin("materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz {} } "
+    refused(dem_case_add_particles(c, -1, &seed), "-1 particles", "-1 particles");
+    refused(dem_case_add_particles(c, INT64_MAX, &seed), "more than memory", "very many particles");
+    WORLD_TRY(dem_case_add_wall(c, "w", "glass", 1, triangle));
+    refused(dem_case_move_wall(c, "w", -1, triangle), "-1", "a wall that moves with -1 triangles");
+    dem_case_free(c);
+    c = world_begin("materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz {} } "
                     "outlets { o { patch p; } } time { step 1e-6; }");
-    WORLD_TRY(dem_flow_on_request(d));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_flows_on_request(c));
+    struct dem *const d = world_start(c);
+
+    refused(dem_flow_patch(d, "p", 1, triangle, velocity), "no patch p", "a patch that was not added");
     refused(dem_flow_remove(d, "p", -1, &id), "-1 ids", "-1 particles that leave");
     refused(dem_warnings(d, &run, -1, NULL, &text), "-1 sentences", "-1 sentences of the program");
     dem_free(d);
@@ -434,7 +360,8 @@ int main(void)
 {
     TAP_TRAPS;
     order();
-    unready();
+    advances();
+    checked();
     ranges();
     counts();
     tables();

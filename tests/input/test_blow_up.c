@@ -25,10 +25,10 @@ static void try_velocity(const char *what, const char *effects, const char *velo
         "insert { a { type list; diameter 1e-3; positions ((0 0 0)); velocity %s; } "
         "b { type list; diameter 1e-3; positions ((0.0010005 0 0)); } }",
         effects, velocity);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     const char *const text = dem_error_text();
 
-    WORLD_TRY(dem_setup(d));
+    struct dem *const d = world_start(c);
     const int status = dem_advance(d, 1e-6);
 
     TAP_OK(first ? status == DEM_ERROR_NUMBER && strstr(text, first) && strstr(text, second)

@@ -303,36 +303,38 @@ struct outcome
     char sentence[8192];
 };
 
-static void advance_briefly(struct dem *d, struct outcome *f)
+static void advance_briefly(struct dem_case **c, struct outcome *f)
 {
-    int status = dem_setup(d);
+    struct dem *d;
+    int status = dem_start(c, &d);
 
     for (int k = 0; k < 3 && !status; k++)
     {
         status = dem_advance(d, dem_step_limit(d).used);
     }
     f->failed = status;
+    dem_free(d);
 }
 
 static struct outcome try_scene(const struct fault *fault)
 {
     static char text[32768];
     struct outcome f = {.refused = 0};
-    struct dem *d = NULL;
+    struct dem_case *c = NULL;
     FILE *const to = fmemopen(text, sizeof text, "w");
 
     cases++;
     f.line = print_scene(to, fault);
     fclose(to);
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    f.refused = dem_scene_text(d, text, "scene");
-    f.refused = f.refused ? f.refused : dem_check(d);
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    f.refused = dem_case_scene_text(c, text, "scene");
+    f.refused = f.refused ? f.refused : dem_case_check(c);
     if (!f.refused)
     {
-        advance_briefly(d, &f);
+        advance_briefly(&c, &f);
     }
     snprintf(f.sentence, sizeof f.sentence, "%s", f.refused || f.failed ? dem_error_text() : "");
-    dem_free(d);
+    dem_case_free(c);
     return f;
 }
 
@@ -428,7 +430,7 @@ static void try_row(int k)
 static int check_setting(const struct dem_effect *effect, const char *name, const char *value)
 {
     char text[1024];
-    struct dem *d = NULL;
+    struct dem_case *c = NULL;
 
     cases++;
     snprintf(
@@ -438,11 +440,11 @@ static int check_setting(const struct dem_effect *effect, const char *name, cons
         "time { step 1e-9; }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
         effect->stage == DEM_STAGE_NORMAL ? "" : "hertz { }", effect->name, name, value);
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    int status = dem_scene_text(d, text, "scene");
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    int status = dem_case_scene_text(c, text, "scene");
 
-    status = status ? status : dem_check(d);
-    dem_free(d);
+    status = status ? status : dem_case_check(c);
+    dem_case_free(c);
     return status;
 }
 

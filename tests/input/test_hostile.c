@@ -33,35 +33,41 @@ static char folder[] = "/tmp/test_hostile_XXXXXX";
 /* Read and set up a scene; returns its status. */
 static int run(const char *text)
 {
-    struct dem *d;
-    int status = dem_create(&d, MPI_COMM_NULL);
+    struct dem_case *c;
+    struct dem *d = NULL;
+    int status = dem_case_create(&c, MPI_COMM_NULL);
 
-    status = status ? status : dem_scene_text(d, text, "scene");
-    status = status ? status : dem_check(d);
-    status = status ? status : dem_setup(d);
+    status = status ? status : dem_case_scene_text(c, text, "scene");
+    status = status ? status : dem_case_check(c);
+    status = status ? status : dem_start(&c, &d);
+    dem_case_free(c);
     dem_free(d);
     return status;
 }
 
 static int run_file(const char *path)
 {
-    struct dem *d;
-    int status = dem_create(&d, MPI_COMM_NULL);
+    struct dem_case *c;
+    struct dem *d = NULL;
+    int status = dem_case_create(&c, MPI_COMM_NULL);
 
-    status = status ? status : dem_scene_file(d, path);
-    status = status ? status : dem_setup(d);
+    status = status ? status : dem_case_scene_file(c, path);
+    status = status ? status : dem_start(&c, &d);
+    dem_case_free(c);
     dem_free(d);
     return status;
 }
 
 static int load(const char *path)
 {
-    struct dem *d;
-    int status = dem_create(&d, MPI_COMM_NULL);
+    struct dem_case *c;
+    struct dem *d = NULL;
+    int status = dem_case_create(&c, MPI_COMM_NULL);
 
-    status = status ? status : dem_scene_text(d, head, "scene");
-    status = status ? status : dem_load(d, path);
-    status = status ? status : dem_setup(d);
+    status = status ? status : dem_case_scene_text(c, head, "scene");
+    status = status ? status : dem_case_load(c, path);
+    status = status ? status : dem_start(&c, &d);
+    dem_case_free(c);
     dem_free(d);
     return status;
 }
@@ -168,11 +174,11 @@ static double time_of(const char *before, const char *each, const char *after, i
     }
     strcpy(text + at, after);
     const double start = seconds();
-    struct dem *d;
-    int status = dem_create(&d, MPI_COMM_NULL);
+    struct dem_case *c;
+    int status = dem_case_create(&c, MPI_COMM_NULL);
 
-    status = status ? status : dem_scene_text(d, text, "scene");
-    dem_free(d);
+    status = status ? status : dem_case_scene_text(c, text, "scene");
+    dem_case_free(c);
     free(text);
     const double took = seconds() - start;
 

@@ -30,22 +30,21 @@ static void write_table(const char *rows)
     TAP_OK(f != NULL || !rows, "a table is written");
 }
 
-static struct dem *from_table(const char *rows, const char *entries)
+static struct dem_case *from_table(const char *rows, const char *entries)
 {
     char *const text =
         world_text(START "} insert { t { type table; file \"%s\"; %s } }", path, entries);
-    struct dem *d;
-
     write_table(rows);
-    d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
+
     free(text);
-    return d;
+    return c;
 }
 
 static void refused(const char *rows, const char *entries, const char *first, const char *second)
 {
-    struct dem *const d = from_table(rows, entries);
-    const int status = dem_check(d);
+    struct dem_case *const c = from_table(rows, entries);
+    const int status = dem_case_check(c);
 
     TAP_OK(status && strstr(dem_error_text(), first) && strstr(dem_error_text(), second),
            "refused, names \"%s\" and \"%s\"", first, second);
@@ -53,17 +52,15 @@ static void refused(const char *rows, const char *entries, const char *first, co
     {
         TAP_NOTE("%s", dem_error_text());
     }
-    dem_free(d);
+    dem_case_free(c);
 }
 
 static void test_rows(void)
 {
-    struct dem *d = from_table(
+    struct dem *d = world_start(from_table(
         "# made by hand\n\n z; y;x ,diameter  wx,wy,wz\tvx vy vz\r\n0.3;0.2 "
         "0.1,2e-3,1,2,3,4,5,6\n\n#\n  3,2,1  1e-3;0;0;0;0;0;-1e0\n",
-        "");
-
-    WORLD_TRY(dem_setup(d));
+        ""));
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
 
     TAP_OK(a.x[0] == 0.1 && a.x[1] == 0.2 && a.x[2] == 0.3 && a.radius == 1e-3,
@@ -74,8 +71,8 @@ static void test_rows(void)
     TAP_OK(b.x[0] == 1.0 && b.x[2] == 3.0 && b.v[2] == -1.0 && b.radius == 5e-4,
            "the last row is read");
     dem_free(d);
-    d = from_table("x[m],y[m],z[m]\n0,0,0\n0,0,1", "diameter 1e-3; velocity (0 0 7); frozen no;");
-    WORLD_TRY(dem_setup(d));
+    d = world_start(from_table("x[m],y[m],z[m]\n0,0,0\n0,0,1",
+                               "diameter 1e-3; velocity (0 0 7); frozen no;"));
     TAP_OK(world_at(d, 1).x[2] == 1.0 && world_at(d, 1).v[2] == 7.0 &&
                world_at(d, 1).radius == 5e-4,
            "values without a column come from the scene");
@@ -130,14 +127,14 @@ static void test_zero(void)
             fwrite(k ? sizes : rows, 1, k ? sizeof sizes - 1 : sizeof rows - 1, f);
             fclose(f);
         }
-        struct dem *const d = world_begin(text);
-        const int status = dem_check(d);
+        struct dem_case *const c = world_begin(text);
+        const int status = dem_case_check(c);
 
         TAP_OK(status && strstr(dem_error_text(), path) &&
                    strstr(dem_error_text(),
                           k ? "line 2: found a zero byte" : "line 3: found a zero byte"),
                "%s: %s", k ? "sizes" : "rows", status ? dem_error_text() : "taken");
-        dem_free(d);
+        dem_case_free(c);
         free(file);
         free(table);
         free(text);
@@ -168,12 +165,12 @@ static void test_ids(void)
         "insert { l { type list; diameter 1e-3; ids (" FIRST " " SECOND
         "); positions ((0 0 0.1) (0 0 0.101)); } }"
         "bonds { pairs (" SECOND " " FIRST "); }";
-    struct dem *d = world_begin(scene);
+    struct dem_case *c = world_begin(scene);
     const struct dem_bond *bond;
     int64_t bonds;
 
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *d = world_start(c);
     are_there(d, "a list and the program");
     WORLD_TRY(dem_bonds(d, &bonds, &bond));
     TAP_OK(bonds == 1 && bond[0].id[0] == 4294967301 && bond[0].id[1] == 9007199254740993,
@@ -182,19 +179,18 @@ static void test_ids(void)
     const uint64_t hash = world_hash(d);
 
     dem_free(d);
-    d = world_begin(
+    c = world_begin(
         START
         "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make once; makeDistance 1.1; "
         "breakDistance 1.2; } }");
-    WORLD_TRY(dem_load(d, path));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_load(c, path));
+    d = world_start(c);
     are_there(d, "a snapshot");
     TAP_OK(world_hash(d) == hash, "a snapshot: the same bits");
     dem_free(d);
-    d = from_table("id,x,y,z\n" SECOND ",0,0,0.101\n" FIRST
+    d = world_start(from_table("id,x,y,z\n" SECOND ",0,0,0.101\n" FIRST
                    ",0,0,0.1\n9007199254740994,0,0,0.2\n" LAST ",0,0,0.3\n",
-                   "diameter 1e-3;");
-    WORLD_TRY(dem_setup(d));
+                   "diameter 1e-3;"));
     are_there(d, "a table");
     TAP_OK(world_at(d, INT64_MAX - 1).x[2] == 0.3, "a table: the largest id");
     dem_free(d);
@@ -212,22 +208,21 @@ static void test_repeated_ids(void)
 
     for (int64_t id = 4; id <= 10; id++)
     {
-        struct dem *const d = world_begin(scene);
+        struct dem_case *const c = world_begin(scene);
         const int taken = id == 5 || (id >= 7 && id <= 9);
 
         seed.id = id;
-        WORLD_TRY(dem_add_particles(d, 1, &seed));
-        TAP_OK((dem_setup(d) != 0) == taken &&
+        WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+        TAP_OK((world_status(c) != 0) == taken &&
                    (!taken || strstr(dem_error_text(), "two particles")),
                "id %d is %s", (int)id, taken ? "refused" : "accepted");
-        dem_free(d);
     }
-    struct dem *const d = world_begin(
+    struct dem_case *const c = world_begin(
         START "} insert { b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); }"
               "a { type list; diameter 1e-3; ids (1 5); positions ((0 0 0) (0 0 1)); } }");
 
-    TAP_OK(dem_check(d) && strstr(dem_error_text(), "id 1"), "an id of a group before");
-    dem_free(d);
+    TAP_OK(dem_case_check(c) && strstr(dem_error_text(), "id 1"), "an id of a group before");
+    dem_case_free(c);
 }
 
 int main(void)

@@ -16,14 +16,15 @@ static const char *const scene =
 
 int main(int argc, char **argv)
 {
+    struct dem_case *c = NULL;
     struct dem *d = NULL;
     uint64_t hash = 0;
     int rank;
 
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    const int failed = dem_create(&d, MPI_COMM_WORLD) || dem_scene_text(d, scene, "user") ||
-                       dem_setup(d) || dem_advance(d, 0.02) || dem_hash(d, &hash);
+    const int failed = dem_case_create(&c, MPI_COMM_WORLD) || dem_case_scene_text(c, scene, "user") ||
+                       dem_start(&c, &d) || dem_advance(d, 0.02) || dem_hash(d, &hash);
 
     if (rank == 0 && failed)
     {
@@ -33,6 +34,7 @@ int main(int argc, char **argv)
     {
         printf("%s %s %016llx\n", DEM_VERSION, dem_version(), (unsigned long long)hash);
     }
+    dem_case_free(c);
     dem_free(d);
     MPI_Finalize();
     return failed;

@@ -16,6 +16,9 @@ import re
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.append(os.path.join(ROOT, "tests"))
+from tap import claim, finish        # noqa: E402
+
 SCREENS = 60
 PICTURE = 450000      # bytes
 
@@ -82,28 +85,21 @@ def validation(text):
 
 
 def main():
-    pages, failed = sorted(glob.glob(os.path.join(ROOT, "docs", "*.md"))), 0
+    pages = sorted(glob.glob(os.path.join(ROOT, "docs", "*.md")))
     index = open(os.path.join(ROOT, "docs", "README.md"), encoding="utf-8").read()
     cases = sorted(set(glob.glob(os.path.join(ROOT, "tutorials", "*", "README.md"))) -
                    {os.path.join(ROOT, "tutorials", "shared", "README.md")})
-    print("1..%d" % (len(pages) + len(cases) + 1))
-    for number, page in enumerate(pages + cases, 1):
+    for page in pages + cases:
         name = os.path.relpath(page, ROOT)
         if page in pages:
             found = faults(os.path.basename(page), open(page, encoding="utf-8").read(), index)
         else:
             found = tutorial_faults(page)
-        print("%s %d - %s has the form of a page" % ("not ok" if found else "ok", number, name))
-        for sentence in found:
-            print("#   " + sentence)
-        failed += bool(found)
+        claim(name + " has the form of a page", not found, found)
     found = validation(open(os.path.join(ROOT, "docs", "results.md"), encoding="utf-8").read())
-    print("%s %d - the table of docs/results.md has the numbers of the stored results" %
-          ("not ok" if found else "ok", len(pages) + len(cases) + 1))
-    for sentence in found:
-        print("#   " + sentence)
-    return failed > 0 or bool(found)
+    claim("the table of docs/results.md has the numbers of the stored results", not found, found)
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

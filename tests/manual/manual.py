@@ -40,6 +40,9 @@ import time
 import blocks
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.append(os.path.join(ROOT, "tests"))
+from tap import claim, finish        # noqa: E402
+
 LIMIT = 100                                                # s, of a block
 SCENE = """materials effects pairs walls domain insert start outlets forces bonds fluid time
            neighbours averages write groups""".split()
@@ -87,7 +90,7 @@ class Messages:
 
     def __init__(self):
         text = ""
-        for folder in ("dem", "coupling", "solvers", "tests", "tutorials"):
+        for folder in ("dem", "coupling", "solvers", "python", "tests", "tutorials"):
             for path, names, files in os.walk(os.path.join(ROOT, folder)):
                 names[:] = [n for n in names if n not in ("build", "lnInclude", "stored", "beds", "manual")]
                 for name in files:
@@ -113,7 +116,7 @@ class Manual:
     """The blocks of pages, run and counted."""
 
     def __init__(self, work):
-        self.work, self.number, self.failed = work, 0, 0
+        self.work = work
         self.counted, self.messages, self.helps = {}, None, {}
         with open(os.path.join(ROOT, "docs", "first-scene.md"), encoding="utf-8") as page:
             self.first = [b.text for b in blocks.of("", page.read())
@@ -124,7 +127,7 @@ class Manual:
         path = os.path.join(self.work, page.replace("/", "_").replace(".md", ""))
         if not os.path.isdir(path):
             os.makedirs(path)
-            for name in ("dem", "tests", "tutorials", "coupling", "solvers", "docs"):
+            for name in ("dem", "tests", "tutorials", "coupling", "solvers", "docs", "python"):
                 os.symlink(os.path.join(ROOT, name), os.path.join(path, name))
             with open(os.path.join(path, "drop.dem"), "w") as out:
                 out.write(self.first)
@@ -366,8 +369,7 @@ class Manual:
         return None
 
     def check(self, block):
-        self.number += 1
-        kind, bad, skipped, began = "?", None, None, time.monotonic()
+        kind, bad, skipped, began = "?", "", None, time.monotonic()
         try:
             kind, rest = self.kind(block)
             skipped = self.run(block, kind, rest)
@@ -377,13 +379,10 @@ class Manual:
             bad = "took longer than %d s" % LIMIT
         what = {"text": "text (%s)" % (rest if kind == "text" else "")}.get(kind, kind)
         self.counted[kind] = self.counted.get(kind, 0) + 1
-        print("%s %d - %s:%d %s%s" % ("not ok" if bad else "ok", self.number, block.page, block.line,
-                                      what, " # SKIP " + skipped if skipped else ""), flush=True)
+        claim("%s:%d %s%s" % (block.page, block.line, what, " # SKIP " + skipped if skipped else ""),
+              not bad, bad)
         if time.monotonic() - began > 5.0:
             print("# that took %.0f s" % (time.monotonic() - began), flush=True)
-        if bad:
-            self.failed += 1
-            print("\n".join("#   " + line for line in bad.split("\n")), flush=True)
 
 
 def main():
@@ -396,10 +395,9 @@ def main():
         with open(page, encoding="utf-8") as file:
             for block in blocks.of(page, file.read()):
                 manual.check(block)
-    print("1..%d" % manual.number)
     print("# blocks: " + ", ".join("%d %s" % (n, k) for k, n in sorted(manual.counted.items())))
-    return manual.failed > 0
+    finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

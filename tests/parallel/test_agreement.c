@@ -59,12 +59,13 @@ static struct dem *make(MPI_Comm comm, const char *time, double velocity)
         " min (0 0 0); max (0.0085 0.0085 0.02); velocity (%g 0 %g); } }"
         "neighbours { outerSkin 0.3; innerSkin 0.05; } time { %s }";
     char text[1024];
+    struct dem_case *c;
     struct dem *d;
 
     snprintf(text, sizeof text, scene, velocity, -velocity, time);
-    try(dem_create(&d, comm));
-    try(dem_scene_text(d, text, "column"));
-    try(dem_setup(d));
+    try(dem_case_create(&c, comm));
+    try(dem_case_scene_text(c, text, "column"));
+    try(dem_start(&c, &d));
     return d;
 }
 

@@ -16,7 +16,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "dem_fluid.h"
+#include "dem_tables.h"
+#include "case/dem_case.h"
 #include "core/memory.h"
 #include "ranks/collect.h"
 #include <stdio.h>
@@ -140,7 +142,7 @@ static char folder[] = "/tmp/test_failures_XXXXXX", snapshot[64];
 
 /* A packing with relaxation through periodic faces among a list, spheres on a lattice off the walls
    of a closed region, particles of the program, bonds, a stream, an outlet, an absorbing wall. */
-static struct dem *create_packed(int energy)
+static struct dem_case *create_packed(int energy)
 {
     static const char scene[] =
         "materials { glass { density 2500; youngsModulus 1e6; } } "
@@ -160,18 +162,18 @@ static struct dem *create_packed(int energy)
     const struct dem_new_particle extra[2] = {
         {.position = {0.001, 0.001, 0.014}, .diameter = 1e-3, .id = -1, .material = "glass"},
         {.position = {0.003, 0.003, 0.014}, .diameter = 1e-3, .id = -1, .material = "glass"}};
-    struct dem *d;
+    struct dem_case *c;
 
-    try(dem_create(&d, MPI_COMM_WORLD));
-    try(dem_scene_text(d, scene, "packed"));
-    try(dem_add_wall(d, "plate", "glass", 1, plate));
-    try(dem_add_particles(d, 2, extra));
-    try(energy ? dem_energy_enable(d) : DEM_OK);
-    library_comm = d->state.decomposition.comm;
-    return d;
+    try(dem_case_create(&c, MPI_COMM_WORLD));
+    try(dem_case_scene_text(c, scene, "packed"));
+    try(dem_case_add_wall(c, "plate", "glass", 1, plate));
+    try(dem_case_add_particles(c, 2, extra));
+    try(energy ? dem_case_enable_energy(c) : DEM_OK);
+    library_comm = c->d->state.decomposition.comm;
+    return c;
 }
 
-static struct dem *create(int energy)
+static struct dem_case *create(int energy)
 {
     static const char scene[] =
         "materials { glass { density 2500; youngsModulus 1e6; } } "
@@ -184,21 +186,21 @@ static struct dem *create(int energy)
         "averages { all { min (0 0 0); max (0.01 0.003 0.003); interval 1e-7; } }";
     const double length = 0.03120001*ranks;
     char text[1024];
-    struct dem *d;
+    struct dem_case *c;
 
     snprintf(text, sizeof text, scene, length, 270*ranks, length);
-    try(dem_create(&d, MPI_COMM_WORLD));
-    try(dem_scene_text(d, text, "row"));
-    try(energy ? dem_energy_enable(d) : DEM_OK);
-    library_comm = d->state.decomposition.comm;
-    return d;
+    try(dem_case_create(&c, MPI_COMM_WORLD));
+    try(dem_case_scene_text(c, text, "row"));
+    try(energy ? dem_case_enable_energy(c) : DEM_OK);
+    library_comm = c->d->state.decomposition.comm;
+    return c;
 }
 
 /* The saved row continues with a stream. */
-static struct dem *create_started(int energy)
+static struct dem_case *create_started(int energy)
 {
     char text[512];
-    struct dem *d;
+    struct dem_case *c;
 
     snprintf(text, sizeof text,
              "materials { glass { density 2500; youngsModulus 1e6; } } effects { hertz {} "
@@ -206,20 +208,20 @@ static struct dem *create_started(int energy)
              "periodic (x); } start { snapshot \"%s\"; } insert { feed { type stream; rate 10; "
              "diameter 1e-3; min (0 0 0.01); max (0.01 0.01 0.02); } } walls { floor { type plane; "
              "point (0 0 -1); normal (0 0 1); } }", 0.03120001*ranks, snapshot);
-    try(dem_create(&d, MPI_COMM_WORLD));
-    try(dem_scene_text(d, text, "started"));
-    try(energy ? dem_energy_enable(d) : DEM_OK);
-    library_comm = d->state.decomposition.comm;
-    return d;
+    try(dem_case_create(&c, MPI_COMM_WORLD));
+    try(dem_case_scene_text(c, text, "started"));
+    try(energy ? dem_case_enable_energy(c) : DEM_OK);
+    library_comm = c->d->state.decomposition.comm;
+    return c;
 }
 
-static int call_create(struct dem *unused)
+static int call_create(struct dem_case **unused)
 {
-    struct dem *d;
-    const int status = dem_create(&d, MPI_COMM_WORLD);
+    struct dem_case *c;
+    const int status = dem_case_create(&c, MPI_COMM_WORLD);
 
     (void)unused;
-    dem_free(d);
+    dem_case_free(c);
     return status;
 }
 
@@ -291,37 +293,41 @@ static int call_save(struct dem *d)
     return dem_save(d, snapshot);
 }
 
-static int call_setup(struct dem *d)
+static int call_start(struct dem_case **c)
 {
-    return dem_setup(d);
+    struct dem *d;
+    const int status = dem_start(c, &d);
+
+    dem_free(d);
+    return status;
 }
 
-static int call_load(struct dem *d)
+static int call_load(struct dem_case **c)
 {
-    try(dem_load(d, snapshot));
-    return dem_setup(d);
+    try(dem_case_load(*c, snapshot));
+    return call_start(c);
 }
 
 static const double triangle[9] = {0, 0, 5, 1, 0, 5, 0, 1, 5};
 static int64_t triangles = 1;    /* of this rank, in the next call */
 
-static int call_add_wall(struct dem *d)
+static int call_add_wall(struct dem_case **c)
 {
-    return dem_add_wall(d, "added", "glass", triangles, triangle);
+    return dem_case_add_wall(*c, "added", "glass", triangles, triangle);
 }
 
-static int call_move_wall(struct dem *d)
+static int call_move_wall(struct dem_case **c)
 {
-    try(dem_add_wall(d, "added", "glass", 1, triangle));
-    return dem_wall_move(d, "added", triangles, triangle);
+    try(dem_case_add_wall(*c, "added", "glass", 1, triangle));
+    return dem_case_move_wall(*c, "added", triangles, triangle);
 }
 
-static int call_patch(struct dem *d)
+static int call_patch(struct dem_case **c)
 {
-    return dem_flow_patch(d, "inlet", triangles, triangle, NULL);
+    return dem_case_add_patch(*c, "inlet", triangles, triangle, NULL);
 }
 
-static int call_region(struct dem *d)
+static int call_region(struct dem_case **c)
 {
     static const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     static const int of[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -331,17 +337,40 @@ static int call_region(struct dem *d)
     {
         memcpy(surface + 3*k, corners[of[k/3][k%3]], sizeof corners[0]);
     }
-    return dem_insert_region(d, "", 0, triangles < 0 ? triangles : rank == 0 ? 4 : 0, surface);
+    return dem_case_add_region(*c, "", 0, triangles < 0 ? triangles : rank == 0 ? 4 : 0, surface);
 }
-
-typedef int call(struct dem *);
 
 struct trial
 {
     const char *broken, *name;
-    call *call;
-    int before_setup;
+    int (*run)(struct dem *);               /* a call of a run, or NULL: */
+    int (*describe)(struct dem_case **);    /* of a case */
 };
+
+struct tried
+{
+    struct dem_case *c;
+    struct dem *d;
+};
+
+static struct tried make(const struct trial *t, struct dem_case *(*create_case)(int energy))
+{
+    struct tried m = {.c = create_case(t->run != NULL)};
+
+    try(t->run ? dem_start(&m.c, &m.d) : DEM_OK);
+    return m;
+}
+
+static int make_call(const struct trial *t, struct tried *m)
+{
+    return t->run ? t->run(m->d) : t->describe(&m->c);
+}
+
+static void end(struct tried *m)
+{
+    dem_case_free(m->c);
+    dem_free(m->d);
+}
 
 /* ---- MPI ------------------------------------------------------------------------------------- */
 
@@ -349,37 +378,38 @@ static void mpi_errors(void)
 {
     static const struct trial trials[] =
     {
-        {"MPI_Allreduce", "dem_totals", call_totals, 0},
-        {"MPI_Allreduce", "dem_hash", call_hash, 0},
-        {"MPI_Allreduce", "dem_profile", call_profile, 0},
-        {"MPI_Allreduce", "dem_energy", call_energy, 0},
-        {"MPI_Allreduce", "dem_count_moving", call_moving, 0},
-        {"MPI_Allreduce", "dem_advance", call_advance, 0},
-        {"MPI_Allreduce", "dem_save", call_save, 0},
-        {"MPI_Allreduce", "dem_setup", call_setup, 1},
-        {"MPI_Allgather", "dem_lost", call_lost, 0},
-        {"MPI_Allgather", "dem_broken_bonds", call_broken_bonds, 0},
-        {"MPI_Exscan", "dem_save", call_save, 0},
-        {"MPI_Exscan", "dem_bonds_draw", call_bonds_draw, 0},
-        {"MPI_Reduce", "dem_advance", call_advance, 0},
-        {"MPI_Waitall", "dem_advance", call_advance, 0},
-        {"MPI_Irecv MPI_Isend", "dem_advance", call_advance, 0},
-        {"MPI_Bcast", "dem_load", call_load, 1},
+        {"MPI_Allreduce", "dem_totals", call_totals, NULL},
+        {"MPI_Allreduce", "dem_hash", call_hash, NULL},
+        {"MPI_Allreduce", "dem_profile", call_profile, NULL},
+        {"MPI_Allreduce", "dem_energy", call_energy, NULL},
+        {"MPI_Allreduce", "dem_count_moving", call_moving, NULL},
+        {"MPI_Allreduce", "dem_advance", call_advance, NULL},
+        {"MPI_Allreduce", "dem_save", call_save, NULL},
+        {"MPI_Allreduce", "dem_start", NULL, call_start},
+        {"MPI_Allgather", "dem_lost", call_lost, NULL},
+        {"MPI_Allgather", "dem_broken_bonds", call_broken_bonds, NULL},
+        {"MPI_Exscan", "dem_save", call_save, NULL},
+        {"MPI_Exscan", "dem_bonds_draw", call_bonds_draw, NULL},
+        {"MPI_Reduce", "dem_advance", call_advance, NULL},
+        {"MPI_Waitall", "dem_advance", call_advance, NULL},
+        {"MPI_Irecv MPI_Isend", "dem_advance", call_advance, NULL},
+        {"MPI_Bcast", "dem_case_load", NULL, call_load},
     };
-    struct dem *d = create(0);
+    struct dem_case *c = create(0);
+    struct dem *saved;
 
-    try(dem_setup(d));
-    try(dem_save(d, snapshot));                           /* for dem_load */
-    dem_free(d);
+    try(dem_start(&c, &saved));
+    try(dem_save(saved, snapshot));                       /* for dem_case_load */
+    dem_free(saved);
     for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
     {
         const struct trial *const t = &trials[k];
         char call_name[32], name[96];
 
-        d = create(!t->before_setup);
-        try(t->before_setup ? DEM_OK : dem_setup(d));
+        struct tried m = make(t, create);
+
         broken = t->broken;
-        const int status = t->call(d);
+        const int status = make_call(t, &m);
 
         broken = "";
         snprintf(name, sizeof name, "%s fails in %s", t->broken, t->name);
@@ -390,7 +420,7 @@ static void mpi_errors(void)
               1);
         check(strstr(dem_error_text(), "root") != NULL, "the message has the text of MPI", name, 0,
               1);
-        dem_free(d);
+        end(&m);
     }
 }
 
@@ -399,19 +429,18 @@ static void mpi_errors(void)
 /* The k-th allocation of a call fails on the second rank, for all k, and for every seventh beyond
    MANY, where a packing makes the same allocations again and again: all ranks fail, or none when
    there are fewer allocations. */
-static void memory(const struct trial *t, struct dem *(*make)(int energy))
+static void memory(const struct trial *t, struct dem_case *(*create_case)(int energy))
 {
     int done = 0;
 
     for (long k = 0; !done && !failed; k += k < MANY ? 1 : 7)
     {
-        struct dem *const d = make(!t->before_setup);
+        struct tried m = make(t, create_case);
         int all[2];
 
         alarm(LIMIT);
-        try(t->before_setup ? DEM_OK : dem_setup(d));
         last_allocation = rank == 1 ? k : -1;
-        const int status = t->call(d);
+        const int status = make_call(t, &m);
 
         all[0] = status != DEM_OK;
         all[1] = status == DEM_OK;
@@ -422,7 +451,7 @@ static void memory(const struct trial *t, struct dem *(*make)(int energy))
         check(all[0] + all[1] == 1, "ranks that fail, and others that do not, without memory",
               t->name, (double)k, 0);
         check(done == (all[0] == 0), "fails without memory", t->name, all[0], !done);
-        dem_free(d);
+        end(&m);
         PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     }
     alarm(0);
@@ -432,21 +461,21 @@ static void no_memory(void)
 {
     static const struct trial trials[] =
     {
-        {"", "dem_save", call_save, 0},
-        {"", "dem_bonds_draw", call_bonds_draw, 0},
-        {"", "dem_load", call_load, 1},
-        {"", "dem_setup", call_setup, 1},
-        {"", "dem_advance", call_advance, 0},
-        {"", "dem_add_wall", call_add_wall, 1},
-        {"", "dem_flow_patch", call_patch, 1},
-        {"", "dem_insert_region", call_region, 1},
+        {"", "dem_save", call_save, NULL},
+        {"", "dem_bonds_draw", call_bonds_draw, NULL},
+        {"", "dem_case_load", NULL, call_load},
+        {"", "dem_start", NULL, call_start},
+        {"", "dem_advance", call_advance, NULL},
+        {"", "dem_case_add_wall", NULL, call_add_wall},
+        {"", "dem_case_add_patch", NULL, call_patch},
+        {"", "dem_case_add_region", NULL, call_region},
     };
-    static const struct trial create_again = {"", "dem_create", call_create, 0};
-    static const struct trial of_start = {"", "dem_setup with a start", call_setup, 1};
+    static const struct trial create_again = {"", "dem_case_create", NULL, call_create};
+    static const struct trial of_start = {"", "dem_start with a start", NULL, call_start};
     static const struct trial of_packing[] =
     {
-        {"", "dem_setup of a packing", call_setup, 1},
-        {"", "dem_advance of a packing", call_advance, 0},
+        {"", "dem_start of a packing", NULL, call_start},
+        {"", "dem_advance of a packing", call_advance, NULL},
     };
 
     for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
@@ -471,23 +500,23 @@ static void wrong_counts(void)
 {
     static const struct trial trials[] =
     {
-        {"", "dem_add_wall", call_add_wall, 1},
-        {"", "dem_wall_move", call_move_wall, 1},
-        {"", "dem_flow_patch", call_patch, 1},
-        {"", "dem_insert_region", call_region, 1},
+        {"", "dem_case_add_wall", NULL, call_add_wall},
+        {"", "dem_case_move_wall", NULL, call_move_wall},
+        {"", "dem_case_add_patch", NULL, call_patch},
+        {"", "dem_case_add_region", NULL, call_region},
     };
 
     for (size_t k = 0; k < sizeof trials/sizeof *trials; k++)
     {
-        struct dem *const d = create(0);
+        struct tried m = make(&trials[k], create);
 
         triangles = rank == 1 ? -1 : 1;
-        const int status = trials[k].call(d);
+        const int status = make_call(&trials[k], &m);
 
         triangles = 1;
         check(status == DEM_ERROR_INPUT, "one rank gives -1 triangles", trials[k].name, status,
               DEM_ERROR_INPUT);
-        dem_free(d);
+        end(&m);
     }
 }
 

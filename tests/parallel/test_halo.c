@@ -64,12 +64,13 @@ static struct dem *make(void)
         /* as given, not tuned: the 50 steps below rebuild nothing */
         "neighbours { outerSkin 0.3; innerSkin 0.04; }";
     char text[1024];
+    struct dem_case *c;
     struct dem *d;
 
     snprintf(text, sizeof text, scene, length*ranks, 270*ranks, length*ranks);
-    try(dem_create(&d, MPI_COMM_WORLD));
-    try(dem_scene_text(d, text, "row"));
-    try(dem_setup(d));
+    try(dem_case_create(&c, MPI_COMM_WORLD));
+    try(dem_case_scene_text(c, text, "row"));
+    try(dem_start(&c, &d));
     return d;
 }
 

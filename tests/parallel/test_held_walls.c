@@ -125,15 +125,16 @@ static struct dem *make(MPI_Comm comm)
     const int alone = comm == MPI_COMM_SELF;
     double(*const corner)[3][3] = calloc(TRIANGLES, sizeof *corner);
     char *const turning = screw(), *const text = calloc(sizeof scene + strlen(turning) + 1, 1);
+    struct dem_case *c;
     struct dem *d;
 
     sprintf(text, scene, turning);
-    try(dem_create(&d, comm));
-    try(dem_scene_text(d, text, "channel"));
+    try(dem_case_create(&c, comm));
+    try(dem_case_scene_text(c, text, "channel"));
     const int n = floor_part(alone ? 0 : rank, alone ? 1 : ranks, 0.0, corner);
 
-    try(dem_add_wall(d, "floor", "glass", n, &corner[0][0][0]));
-    try(dem_setup(d));
+    try(dem_case_add_wall(c, "floor", "glass", n, &corner[0][0][0]));
+    try(dem_start(&c, &d));
     free(corner);
     free(turning);
     free(text);

@@ -139,12 +139,13 @@ static struct dem *make(int n)
         "neighbours { outerSkin 0.3; innerSkin 0.04; }";
     const double side = 1e-3*cbrt((double)n*ranks/density);
     char text[1024];
+    struct dem_case *c;
     struct dem *d;
 
     snprintf(text, sizeof text, scene, side, side, side, n*ranks, side, side, side);
-    try(dem_create(&d, MPI_COMM_WORLD));
-    try(dem_scene_text(d, text, "bed"));
-    try(dem_setup(d));
+    try(dem_case_create(&c, MPI_COMM_WORLD));
+    try(dem_case_scene_text(c, text, "bed"));
+    try(dem_start(&c, &d));
     return d;
 }
 

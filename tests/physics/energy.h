@@ -1,7 +1,7 @@
 /*
  * energy.h -- a scene with the energy balance enabled, and its terms by name.
  *
- *   struct dem *d = energy_world(scene, n, seeds);   as world(), with dem_energy_enable
+ *   struct dem *d = energy_world(scene, n, seeds);   as world(), with dem_case_enable_energy
  *   energy_term(d, "residual")                       J
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -15,15 +15,14 @@
 static inline struct dem *energy_world(const char *scene, int64_t n,
                                        const struct dem_new_particle *seed)
 {
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     if (n > 0)
     {
-        WORLD_TRY(dem_add_particles(d, n, seed));
+        WORLD_TRY(dem_case_add_particles(c, n, seed));
     }
-    WORLD_TRY(dem_energy_enable(d));
-    WORLD_TRY(dem_setup(d));
-    return d;
+    WORLD_TRY(dem_case_enable_energy(c));
+    return world_start(c);
 }
 
 /* NAN: the balance has no such term */

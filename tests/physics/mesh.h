@@ -95,20 +95,20 @@ static inline struct mesh mesh_floor(double from, double to, double size)
     return m;
 }
 
-static inline void mesh_hand_over(struct dem *d, const char *name, const char *material,
+static inline void mesh_hand_over(struct dem_case *c, const char *name, const char *material,
                                   struct mesh *m)
 {
-    WORLD_TRY(dem_add_wall(d, name, material, (int64_t)m->n, m->corner));
+    WORLD_TRY(dem_case_add_wall(c, name, material, (int64_t)m->n, m->corner));
     free(m->corner);
     *m = (struct mesh){0};
 }
 
-static inline void mesh_add_floor(struct dem *d, const char *name, const char *material,
+static inline void mesh_add_floor(struct dem_case *c, const char *name, const char *material,
                                   double from, double to, double size)
 {
     struct mesh m = mesh_floor(from, to, size);
 
-    mesh_hand_over(d, name, material, &m);
+    mesh_hand_over(c, name, material, &m);
 }
 
 /* The six sides of a box, each of two triangles, seen alike from inside and outside. */

@@ -25,7 +25,7 @@ static const char *const hertz = "hertz { impactSpeed 1; }", *const hooke = "hoo
 
 /* two facets that meet on the y axis: one level where x < 0, the other rises at `angle` (degrees),
    or falls where that is negative */
-static void add_facets(struct dem *d, double angle, double length)
+static void add_facets(struct dem_case *made, double angle, double length)
 {
     const double a = angle*world_pi/180.0, l = 20.0*R;
     const double c[6][3] = {{-l, -2.0*R, 0.0}, {0.0, -2.0*R, 0.0}, {0.0, length, 0.0},
@@ -35,7 +35,7 @@ static void add_facets(struct dem *d, double angle, double length)
 
     mesh_quad(&m, c[0], c[1], c[2], c[3]);
     mesh_quad(&m, c[1], c[4], c[5], c[2]);
-    mesh_hand_over(d, "fold", "glass", &m);
+    mesh_hand_over(made, "fold", "glass", &m);
 }
 
 static struct dem *fold(const char *law, double angle, int planes, double step, int64_t n,
@@ -50,14 +50,14 @@ static struct dem *fold(const char *law, double angle, int planes, double step, 
                                    density, E, law,
                                    step > 0.0 ? world_text("time { step %.17g; }", step) : "",
                                    planes ? wall : "");
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     if (!planes)
     {
-        add_facets(d, angle, 4.0*R*(double)n);
+        add_facets(c, angle, 4.0*R*(double)n);
     }
-    WORLD_TRY(dem_add_particles(d, n, seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, n, seed));
+    struct dem *const d = world_start(c);
     free(wall);
     free(scene);
     return d;
@@ -192,7 +192,7 @@ static double over_slit(double width, double friction)
     const double g = 9.81, modulus = E/(1.0 - 0.0625), l = 10.0*R,
                  weight = world_sphere_mass(R, density)*g,
                  rest = pow(0.75*weight/(modulus*sqrt(R)), 2.0/3.0);
-    struct dem *const d = world_begin(world_text(
+    struct dem_case *const made = world_begin(world_text(
         "materials { ball { density %g; youngsModulus %g; poissonsRatio 0.25; } "
         "rigid { density 1; youngsModulus 1e30; } } "
         "effects { %s gravity { acceleration (0 0 -9.81); } mindlin { friction %g; } } "
@@ -215,10 +215,10 @@ static double over_slit(double width, double friction)
         struct mesh m = {0};
 
         mesh_quad(&m, c[0], c[1], c[2], c[3]);
-        mesh_hand_over(d, side < 0 ? "left" : "right", "rigid", &m);
+        mesh_hand_over(made, side < 0 ? "left" : "right", "rigid", &m);
     }
-    WORLD_TRY(dem_add_particles(d, PLACES, seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(made, PLACES, seed));
+    struct dem *const d = world_start(made);
     world_step(d);
     for (int k = 0; k < PLACES; k++)
     {
@@ -243,7 +243,7 @@ static double in_tube(double step, double *used)
                                           .velocity = {0.28*speed, 0.96*speed, 0.0},
                                           .diameter = 2.0*R,
                                           .material = "glass"};
-    struct dem *const d = world_begin(world_text(
+    struct dem_case *const made = world_begin(world_text(
         "materials { glass { density %g; youngsModulus %g; } } effects { %s } %s", density, E, hertz,
         step > 0.0 ? world_text("time { step %.17g; }", step) : ""));
     struct mesh m = {0};
@@ -263,9 +263,9 @@ static double in_tube(double step, double *used)
         }
         mesh_quad(&m, c[0], c[1], c[2], c[3]);
     }
-    mesh_hand_over(d, "tube", "glass", &m);
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    mesh_hand_over(made, "tube", "glass", &m);
+    WORLD_TRY(dem_case_add_particles(made, 1, &seed));
+    struct dem *const d = world_start(made);
     *used = dem_step_limit(d).used;
     for (int k = 0; k < 4000; k++)
     {

@@ -48,7 +48,7 @@ static void fill(void)
 }
 
 /* an upright tube with SIDES sides and arbitrary coordinates */
-static void add_tube(struct dem *d)
+static void add_tube(struct dem_case *made)
 {
     double corners[SIDES*2*9];
 
@@ -66,18 +66,18 @@ static void add_tube(struct dem *d)
             corners[18*s + k] = p[corner[k/3]][k%3];
         }
     }
-    WORLD_TRY(dem_add_wall(d, "tube", "glass", 2*SIDES, corners));
+    WORLD_TRY(dem_case_add_wall(made, "tube", "glass", 2*SIDES, corners));
 }
 
 static struct dem *tube(const char *domain, double across)
 {
     char *const text = world_text("%s domain { %s }", world_text(physics, across), domain);
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    add_tube(d);
-    WORLD_TRY(dem_energy_enable(d));
-    WORLD_TRY(dem_add_particles(d, N, seed));
-    WORLD_TRY(dem_setup(d));
+    add_tube(c);
+    WORLD_TRY(dem_case_enable_energy(c));
+    WORLD_TRY(dem_case_add_particles(c, N, seed));
+    struct dem *const d = world_start(c);
     return d;
 }
 
@@ -129,12 +129,12 @@ int main(void)
 
     WORLD_TRY(dem_save(flat, "flat.dem"));
     world_run(flat, 0.02);
-    struct dem *const again = world_begin(
+    struct dem_case *const c = world_begin(
         world_text("%s domain { z (-1e-4 7e-4); flat (z); }", world_text(physics, -5.0)));
 
-    add_tube(again);
-    WORLD_TRY(dem_load(again, "flat.dem"));
-    WORLD_TRY(dem_setup(again));
+    add_tube(c);
+    WORLD_TRY(dem_case_load(c, "flat.dem"));
+    struct dem *const again = world_start(c);
     world_run(again, 0.02);
     remove("flat.dem");
     TAP_OK(apart(flat, again) == 0.0, "continues from a snapshot with the same bits");

@@ -236,7 +236,7 @@ static void test_total(void)
     }
     WORLD_TRY(dem_scalar_total(s, dem_scalar_index(s, "temperature"), &total));
     TAP_NEAR(total, sum, 1e-15*N*sum, "heat of all particles (J)");
-    TAP_OK(dem_scalar_total(s, 99, &total) == DEM_ERROR_STATE, "%s", dem_error_text());
+    TAP_OK(dem_scalar_total(s, 99, &total) == DEM_ERROR_INPUT, "%s", dem_error_text());
     dem_free(s);
 }
 
@@ -274,12 +274,11 @@ static void refused(const char *effects, const char *fluid, const char *insert, 
         "materials { glass { density 2500; youngsModulus 1e7; heatCapacity 800; } } effects { hertz "
         "{ } %s } fluid { density 1.2; viscosity 1.8e-5; %s } insert { a { type list; diameter "
         "1e-3; positions ((0 0 0)); %s } }", effects, fluid, insert);
-    struct dem *const s = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    TAP_OK(dem_setup(s) == DEM_ERROR_INPUT && strstr(dem_error_text(), words), "refused: %s",
+    TAP_OK(world_status(c) == DEM_ERROR_INPUT && strstr(dem_error_text(), words), "refused: %s",
            dem_error_text());
     free(text);
-    dem_free(s);
 }
 
 static void test_input(void)

@@ -68,23 +68,23 @@ static struct dem *begin(struct floor *f, const char *more, const struct dem_new
         "mindlin { friction 0.2; }"
         " gravity { acceleration (0 0 -9.81); } } time { step 4e-6; } %s",
         more);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
-    WORLD_TRY(dem_add_wall(d, "floor", "rigid", (int64_t)f->new.n, f->new.corner));
+    WORLD_TRY(dem_case_add_wall(c, "floor", "rigid", (int64_t)f->new.n, f->new.corner));
     if (time > 0.0)
     {
         place(f, time);
-        WORLD_TRY(dem_wall_move(d, "floor", (int64_t)f->now.n, f->now.corner));
+        WORLD_TRY(dem_case_move_wall(c, "floor", (int64_t)f->now.n, f->now.corner));
     }
     if (snapshot)
     {
-        WORLD_TRY(dem_load(d, snapshot));
+        WORLD_TRY(dem_case_load(c, snapshot));
     }
     else
     {
-        WORLD_TRY(dem_add_particles(d, 1, seed));
+        WORLD_TRY(dem_case_add_particles(c, 1, seed));
     }
-    WORLD_TRY(dem_setup(d));
+    struct dem *const d = world_start(c);
     free(scene);
     return d;
 }

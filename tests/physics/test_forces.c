@@ -126,11 +126,10 @@ static void added_mass_counts_once(void)
         "virtualMass {} }"
         "fluid { density 1000; viscosity 1e-3; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
-    TAP_OK(dem_setup(d) && strstr(dem_error_text(), "addedMass"),
+    TAP_OK(world_status(c) && strstr(dem_error_text(), "addedMass"),
            "added mass in stokes and in virtualMass is refused: %s", dem_error_text());
-    dem_free(d);
 }
 
 /* Without drag: (m + a) dv/dt = a A - V grad p. */
@@ -234,10 +233,10 @@ static void exchanges(double density)
         "time { step 1e-4; } insert { two { type list; diameter 2e-3; "
         "positions ((0 0 0) (1 0 0)); spin (0 30 9); } }",
         density);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     double got[3] = {0.0, 0.0, 0.0}, owed[3] = {0.0, 0.0, 0.0}, size = 0.0, worst = 0.0;
 
-    WORLD_TRY(dem_setup(d));
+    struct dem *const d = world_start(c);
     for (int k = 0; k < 7; k++)
     {
         struct dem_fluid f;
@@ -288,10 +287,10 @@ static void relaxes(double density, const char *added, double extra)
         "insert { one { type list; diameter 1e-3; positions ((0 0 0)); velocity (0.3 0 0); }"
         "two { type list; diameter 1e-4; positions ((1 0 0)); frozen yes; } }",
         density, added);
-    struct dem *const run = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     struct dem_fluid f;
 
-    WORLD_TRY(dem_setup(run));
+    struct dem *const run = world_start(c);
     TAP_OK(dem_fluid_relaxation(run) == 0.0,
            "%g kg/m3 %s: no rate before the first window", density, added);
     WORLD_TRY(dem_fluid(run, &f));

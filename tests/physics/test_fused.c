@@ -43,7 +43,7 @@ static void laws_of(const struct dem_fused_kernel *kernel, char *text)
 }
 
 /* beads on a lattice that nearly touch, thrown at each other and at the walls */
-static void add_beads(struct dem *d)
+static void add_beads(struct dem_case *c)
 {
     struct dem_new_particle seed[BEADS];
 
@@ -61,7 +61,7 @@ static void add_beads(struct dem *d)
             seed[k].spin[m] = 500.0*(2.0*dem_random_unit(5, (uint64_t)k, (uint64_t)m, 1) - 1.0);
         }
     }
-    WORLD_TRY(dem_add_particles(d, BEADS, seed));
+    WORLD_TRY(dem_case_add_particles(c, BEADS, seed));
 }
 
 static struct dem *scene(const char *laws)
@@ -76,12 +76,13 @@ static struct dem *scene(const char *laws)
         "front { type plane; point (0 0.0062 0); normal (0 -1 0); material glass; } } "
         "time { step 2e-6; force yes; }",
         laws);
+    struct dem_case *c;
     struct dem *d;
 
-    WORLD_TRY(dem_create(&d, comm));
-    WORLD_TRY(dem_scene_text(d, text, "scene"));
-    add_beads(d);
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_create(&c, comm));
+    WORLD_TRY(dem_case_scene_text(c, text, "scene"));
+    add_beads(c);
+    WORLD_TRY(dem_start(&c, &d));
     free(text);
     return d;
 }

@@ -201,11 +201,10 @@ static void overlap_at_start(void)
     const double m = 0.5*world_sphere_mass(1e-3, 2500.0), d = 0.16e-3, time = world_pi*sqrt(m/1000.0);
     char *const tight = world_text(scene, "", time/200.0),
          *const loose = world_text(scene, "maxStartOverlap 0.1;", time/200.0);
-    struct dem *const refused = world_begin(tight);
+    struct dem_case *const c = world_begin(tight);
 
-    TAP_OK(dem_setup(refused) == DEM_ERROR_INPUT && strstr(dem_error_text(), "maxStartOverlap"),
+    TAP_OK(world_status(c) == DEM_ERROR_INPUT && strstr(dem_error_text(), "maxStartOverlap"),
            "8 %% of overlap at the start: %s", dem_error_text());
-    dem_free(refused);
     struct dem *const w = world(loose, 0, NULL);
 
     world_run(w, time);

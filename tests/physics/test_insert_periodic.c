@@ -182,15 +182,15 @@ static void test_mesh(void)
 {
     static const double low[3] = {0.0, 0.0, 0.003}, high[3] = {0.012, 0.012, 0.009};
     double triangles[12][9], least = INFINITY, most = 0.0;
-    struct dem *const d = world_begin(
+    struct dem_case *const c = world_begin(
         PHYSICS "domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x y); }"
         "walls { floor { type plane; point (0 0 0.003); normal (0 0 1); } "
         "lid { type plane; point (0 0 0.009); normal (0 0 -1); } }"
         "insert { g { type random; solidFraction 0.45; diameter 1e-3; inside mesh; } }");
 
     box_surface(low, high, triangles);
-    WORLD_TRY(dem_insert_region(d, "mesh", 0, 12, triangles[0]));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_region(c, "mesh", 0, 12, triangles[0]));
+    struct dem *const d = world_start(c);
     read_particles(d);
     dem_free(d);
     for (size_t i = 0; i < got.n; i++)
@@ -305,11 +305,10 @@ static void test_refused(const char *group, const char *cause)
 {
     char *const text = world_text("%s domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x); }"
                                   " insert { %s }", PHYSICS, group);
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    TAP_OK(dem_setup(d) != DEM_OK && strstr(dem_error_text(), cause), "refused: %s",
+    TAP_OK(world_status(c) != DEM_OK && strstr(dem_error_text(), cause), "refused: %s",
            dem_error_text());
-    dem_free(d);
     free(text);
 }
 

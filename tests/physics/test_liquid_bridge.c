@@ -256,11 +256,11 @@ static struct dem *collide(double speed, double dt)
         "b { type list; diameter %.17g; positions ((%.17g 0 0)); velocity (%.17g 0 0); "
         "liquidVolume 1e-11; } }",
         tension, dt, 2.0*R, 0.5*speed, 2.0*R, 2.0*R + 2e-5, -0.5*speed);
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
     free(text);
-    WORLD_TRY(dem_energy_enable(d));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_enable_energy(c));
+    struct dem *const d = world_start(c);
     return d;
 }
 
@@ -361,11 +361,11 @@ static double oblique(double dt, int tell)
         "liquidVolume 2e-11; }"
         "b { type list; diameter 1.4e-3; positions ((1.4e-3 1e-3 2e-4)); "
         "velocity (-0.2 -0.1 -0.1); liquidVolume 1e-11; } }", dt);
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
     free(text);
-    WORLD_TRY(dem_energy_enable(d));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_enable_energy(c));
+    struct dem *const d = world_start(c);
     angular_momentum(d, before);
     const struct dem_totals start = world_tally(d);
 
@@ -402,10 +402,11 @@ static void refused(const char *effects, const char *more, const char *entry, co
     char *const text = world_text("materials { glass { density 2500; youngsModulus 1e7; } } "
                                   "effects { hertz { } %s } %s", effects, more),
                *const scene = world_text(text, entry);
+    struct dem_case *c;
     struct dem *d;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    TAP_OK((dem_scene_text(d, scene, "scene") || dem_setup(d)) && strstr(dem_error_text(), words),
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    TAP_OK((dem_case_scene_text(c, scene, "scene") || dem_start(&c, &d)) && strstr(dem_error_text(), words),
            "refused: %s", dem_error_text());
     free(text);
     free(scene);

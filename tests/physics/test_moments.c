@@ -146,14 +146,14 @@ static struct world_particle roll(const char *law, double speed, double angle, d
         triangles
             ? ""
             : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     if (triangles)
     {
-        mesh_add_floor(d, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
+        mesh_add_floor(c, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
     }
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
     world_run(d, time);
     const struct world_particle p = world_at(d, 0);
 

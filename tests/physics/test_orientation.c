@@ -23,11 +23,11 @@ static const char rolling_scene[] =
 
 static struct dem *tracked(const char *scene, const struct dem_new_particle *seed)
 {
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
-    WORLD_TRY(dem_orientation_enable(d));
-    WORLD_TRY(dem_add_particles(d, 1, seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_enable_orientation(c));
+    WORLD_TRY(dem_case_add_particles(c, 1, seed));
+    struct dem *const d = world_start(c);
     return d;
 }
 
@@ -82,13 +82,14 @@ int main(void)
 
     /* the same in two halves, through a file */
     const char *const file = "orientation.dem";
-    struct dem *first = tracked(free_scene, &seed), *second = world_begin(free_scene);
+    struct dem *first = tracked(free_scene, &seed);
+    struct dem_case *const c = world_begin(free_scene);
 
     world_run(first, 0.5*T);
     WORLD_TRY(dem_save(first, file));
-    WORLD_TRY(dem_orientation_enable(second));
-    WORLD_TRY(dem_load(second, file));
-    WORLD_TRY(dem_setup(second));
+    WORLD_TRY(dem_case_enable_orientation(c));
+    WORLD_TRY(dem_case_load(c, file));
+    struct dem *const second = world_start(c);
     remove(file);
     TAP_OK(memcmp(orientation(first), orientation(second), 4*sizeof(double)) == 0,
            "a snapshot keeps it");

@@ -197,9 +197,9 @@ static void test_snapshot(void)
     WORLD_TRY(dem_save(d, path));
     TAP_OK(removed(d, 0) == 0 && world_at(d, 0).x[2] < 0.0, "between two checks one has passed");
     dem_free(d);
-    d = world_begin(BEADS SINK);
-    WORLD_TRY(dem_load(d, path));
-    WORLD_TRY(dem_setup(d));
+    struct dem_case *c = world_begin(BEADS SINK);
+    WORLD_TRY(dem_case_load(c, path));
+    d = world_start(c);
     world_run(d, window - 10e-5);
     TAP_OK(removed(d, 0) == 2, "the continued run removes it, and the other one");
     dem_free(d);
@@ -210,12 +210,12 @@ static void test_snapshot(void)
 static void test_program(void)
 {
     const struct dem_new_particle seed = falling(0, 0.0015);
-    struct dem *const d = world_begin(BEADS SINK);
+    struct dem_case *const c = world_begin(BEADS SINK);
     int changed;
 
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_flow_on_request(d));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    WORLD_TRY(dem_case_flows_on_request(c));
+    struct dem *const d = world_start(c);
     for (int k = 0; k < 3; k++)
     {
         world_run(d, window);

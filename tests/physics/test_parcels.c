@@ -377,12 +377,11 @@ static void test_sizes(void)
 static void refused(const char *scene, const char *words)
 {
     char *const text = world_text("%s %s", physics, scene);
-    struct dem *const s = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    TAP_OK(dem_setup(s) == DEM_ERROR_INPUT && strstr(dem_error_text(), words), "refused: %s",
+    TAP_OK(world_status(c) == DEM_ERROR_INPUT && strstr(dem_error_text(), words), "refused: %s",
            dem_error_text());
     free(text);
-    dem_free(s);
 }
 
 static void test_refusals(void)
@@ -459,9 +458,9 @@ static void test_snapshots(void)
     world_run(half, 1e-4);
     WORLD_TRY(dem_save(half, "test_parcels.dem"));
     dem_free(half);
-    half = world_begin(text);
-    WORLD_TRY(dem_load(half, "test_parcels.dem"));
-    WORLD_TRY(dem_setup(half));
+    struct dem_case *c = world_begin(text);
+    WORLD_TRY(dem_case_load(c, "test_parcels.dem"));
+    half = world_start(c);
     TAP_OK(dem_scalar(half, 0)[0] == 3.0, "a snapshot has the ratios");
     world_run(half, 1e-4);
     TAP_OK(world_hash(half) == world_hash(whole), "a restart has the same bits");
@@ -470,10 +469,9 @@ static void test_snapshots(void)
     free(text);
 
     text = world_text("%s effects { hertz { } } start { snapshot \"test_parcels.dem\"; }", physics);
-    half = world_begin(text);
-    TAP_OK(dem_setup(half) == DEM_ERROR_INPUT && strstr(dem_error_text(), "particles are parcels"),
+    TAP_OK(world_status(world_begin(text)) == DEM_ERROR_INPUT
+               && strstr(dem_error_text(), "particles are parcels"),
            "refused: %s", dem_error_text());
-    dem_free(half);
     free(text);
 
     text = world_text("%s effects { hertz { } } insert { a { type list; diameter 1e-3; positions "
@@ -486,10 +484,9 @@ static void test_snapshots(void)
     free(text);
     text = world_text("%s effects { hertz { } } parcels { ratio 2; } start { snapshot "
                       "\"test_parcels.dem\"; }", physics);
-    half = world_begin(text);
-    TAP_OK(dem_setup(half) == DEM_ERROR_INPUT && strstr(dem_error_text(), "has no parcelRatio"),
+    TAP_OK(world_status(world_begin(text)) == DEM_ERROR_INPUT
+               && strstr(dem_error_text(), "has no parcelRatio"),
            "refused: %s", dem_error_text());
-    dem_free(half);
     free(text);
     (void)remove("test_parcels.dem");
 }

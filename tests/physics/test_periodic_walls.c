@@ -224,9 +224,9 @@ static uint64_t flow(const char *laws, const char *domain, const char *walls, do
     {
         WORLD_TRY(dem_save(d, file));
         dem_free(d);
-        d = world_begin(text);
-        WORLD_TRY(dem_load(d, file));
-        WORLD_TRY(dem_setup(d));
+        struct dem_case *c = world_begin(text);
+        WORLD_TRY(dem_case_load(c, file));
+        d = world_start(c);
         remove(file);
     }
     world_run(d, 0.05);
@@ -412,14 +412,14 @@ static struct world_particle follow(const char *domain, double from, double to)
                                           .velocity = {0.3, 0.0, 0.0},
                                           .diameter = 2.0*R,
                                           .material = "g"};
-    struct dem *const d = world_begin(text);
+    struct dem_case *const made = world_begin(text);
     struct mesh m = {0};
 
     strip(&m, from, 0.0, 0.5*(from + to), 0.0, 0.02);
     strip(&m, 0.5*(from + to), 0.0, to, 0.0, 0.02);
-    WORLD_TRY(dem_add_wall(d, "f", "g", (int64_t)m.n, m.corner));
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_wall(made, "f", "g", (int64_t)m.n, m.corner));
+    WORLD_TRY(dem_case_add_particles(made, 1, &seed));
+    struct dem *const d = world_start(made);
     for (int k = 1; k <= 250; k++)
     {
         for (size_t c = 0; c < 3*m.n; c++)
@@ -547,12 +547,11 @@ static void refused(char *walls, const char *sentence)
     const struct dem_new_particle seed = {.position = {0.5*L, 0.0, 0.1},
                                           .diameter = 2.0*R,
                                           .material = "g"};
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    TAP_OK(dem_setup(d) != DEM_OK && strstr(dem_error_text(), sentence), "refused: %s",
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    TAP_OK(world_status(c) != DEM_OK && strstr(dem_error_text(), sentence), "refused: %s",
            dem_error_text());
-    dem_free(d);
     free(text);
     free(walls);
 }

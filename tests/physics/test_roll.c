@@ -70,14 +70,14 @@ static struct dem *start(const double *table, const char *wall, const char *tang
         "%s } gravity { acceleration (0 0 -%.17g); } }"
         "pairs { %s } %s",
         materials, tangential, g, pairs, wall);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     if (!wall[0])
     {
-        mesh_add_floor(d, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
+        mesh_add_floor(c, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
     }
-    WORLD_TRY(dem_add_particles(d, CASES, seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, CASES, seed));
+    struct dem *const d = world_start(c);
     free(scene);
     return d;
 }

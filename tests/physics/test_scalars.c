@@ -133,13 +133,13 @@ static void test_exchange(void)
     {
         const double b = stiff[n]*C/t, q = 0.5*b*20.0, T0 = 300.0, target = 350.0;
 
-        d = world_begin("materials { steel { density 7800; youngsModulus 1e7; conductivity 42; "
+        struct dem_case *made = world_begin("materials { steel { density 7800; youngsModulus 1e7; conductivity 42; "
                         "heatCapacity 4.64; } } effects { hertz { } conduction { } }"
                         "time { step 1e-5; }"
                         "insert { one { type list; diameter 6.4e-3; positions ((0 0 0)); "
                         "temperature 300; } }");
-        WORLD_TRY(dem_scalar_exchange_enable(d, "temperature"));
-        WORLD_TRY(dem_setup(d));
+        WORLD_TRY(dem_case_exchange_scalar(made, "temperature"));
+        d = world_start(made);
         WORLD_TRY(dem_scalar_exchange(d, 0, &x));
         x.source[0] = q, x.coefficient[0] = b, x.target[0] = target;
         world_run(d, t);
@@ -173,12 +173,11 @@ static void refused(const char *entry, const char *words)
         "materials { steel { density 7800; youngsModulus 1e7; conductivity 42; heatCapacity 4.64; } }"
         "effects { hertz { } conduction { } } insert { a { type list; diameter 1e-3; "
         "positions ((0 0 0)); %s } }", entry);
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    TAP_OK(dem_setup(d) == DEM_ERROR_INPUT && strstr(dem_error_text(), words),
+    TAP_OK(world_status(c) == DEM_ERROR_INPUT && strstr(dem_error_text(), words),
            "%s is refused: %s", entry, dem_error_text());
     free(text);
-    dem_free(d);
 }
 
 static void test_insertion(void)
@@ -241,11 +240,11 @@ static struct dem *impacts(const char *stokes, const char *rest)
         "effects { hertz { } stokes { restitution 0.95; %s } mindlin { friction 0.3; } }"
         "walls { end { type plane; point (2.03e-3 0 0); normal (-1 0 0); } }"
         "domain { min (-1 -1 -1); max (1 1 1); } time { step 1e-6; } %s", stokes, rest);
-    struct dem *const d = world_begin(text);
+    struct dem_case *const c = world_begin(text);
 
-    dem_fluid_set_density(d, 1000.0);    /* of a coupled fluid; else the scene's counts */
-    WORLD_TRY(dem_add_particles(d, 2, seed));
-    WORLD_TRY(dem_setup(d));
+    dem_case_fluid_density(c, 1000.0);    /* of a coupled fluid; else the scene's counts */
+    WORLD_TRY(dem_case_add_particles(c, 2, seed));
+    struct dem *const d = world_start(c);
     free(text);
     return d;
 }

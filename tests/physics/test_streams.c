@@ -535,21 +535,22 @@ static void test_patch(void)
 {
     static const double corners[18] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.1, 0.0, 0.0,
                                        0.1, 0.1, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0};
+    struct dem_case *c;
     struct dem *d;
     int changed;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    WORLD_TRY(dem_flow_on_request(d));
-    WORLD_TRY(dem_scene_text(
-        d,
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    WORLD_TRY(dem_case_flows_on_request(c));
+    WORLD_TRY(dem_case_scene_text(
+        c,
         "materials { glass { density 2500; youngsModulus 1e5; } } "
         "effects { hertz { } dry { restitution 0.9; } } "
         "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } "
         "insert { feed { type stream; rate 1e4; "
         "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }",
         "slow"));
-    WORLD_TRY(dem_flow_patch(d, "inlet", 2, corners, NULL));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_patch(c, "inlet", 2, corners, NULL));
+    WORLD_TRY(dem_start(&c, &d));
     for (int k = 0; k < 50; k++)
     {
         WORLD_TRY(dem_flow_apply(d, &changed));
@@ -568,22 +569,23 @@ static void test_aside(void)
     static const double corners[18] = {0.0, 0.5e-3, 0.0,  0.0, 0.5e-3, 8e-3,  0.0, 3.5e-3, 8e-3,
                                        0.0, 0.5e-3, 0.0,  0.0, 3.5e-3, 8e-3,  0.0, 3.5e-3, 0.0};
     static const double r = 0.1e-3, rod[3] = {2.5e-3, 2e-3, 0.6e-3};                     /* x, y, radius */
+    struct dem_case *c;
     struct dem *d;
     struct dem_view v;
     int changed, beyond = 0, through = 0, overlapping = 0, begun = 0;
     int64_t before = 0;
     double momentum = 0.0;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    WORLD_TRY(dem_flow_on_request(d));
-    WORLD_TRY(dem_scene_text(d, "materials { glass { density 2500; youngsModulus 2e7; } } effects { hertz { impactSpeed 3; } dry { restitution 0.5; } } walls { "
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    WORLD_TRY(dem_case_flows_on_request(c));
+    WORLD_TRY(dem_case_scene_text(c, "materials { glass { density 2500; youngsModulus 2e7; } } effects { hertz { impactSpeed 3; } dry { restitution 0.5; } } walls { "
                              "plates { type triangles; corners ((0 0 -0.01) (0.02 0 -0.01) (0.02 0 0.02)  (0 0 -0.01) (0.02 0 0.02) (0 0 0.02)  "
                              "(0 0.004 -0.01) (0.02 0.004 -0.01) (0.02 0.004 0.02)  (0 0.004 -0.01) (0.02 0.004 0.02) (0 0.004 0.02)); } "
                              "rod { type cylinder; point (0.0025 0.002 0); axis (0 0 1); radius 0.6e-3; particles outside; } } "
                              "outlets { end { point (0.004 0 0); normal (1 0 0); } } "
                              "insert { feed { type stream; rate 2e4; diameter 0.2e-3; patch inlet; velocity (1.2 0 0); spread (0.6 2 0); } }", "aside"));
-    WORLD_TRY(dem_flow_patch(d, "inlet", 2, corners, NULL));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_patch(c, "inlet", 2, corners, NULL));
+    WORLD_TRY(dem_start(&c, &d));
     for (int k = 0; k < 25; k++)
     {
         WORLD_TRY(dem_flow_apply(d, &changed));
@@ -668,10 +670,10 @@ static void test_units(void)
         dem_free(d);
         free(text);
         text = world_text(BEADS "insert { feed { type stream; %s %s", "", second, rest);
-        WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-        WORLD_TRY(dem_scene_text(d, text, "again"));
-        WORLD_TRY(dem_load(d, file));
-        WORLD_TRY(dem_setup(d));
+        struct dem_case *const c = world_begin(text);
+
+        WORLD_TRY(dem_case_load(c, file));
+        d = world_start(c);
         free(text);
         run_windows(d, 20);
         const double owed = 20.0*window*(to_mass ? 5e-3/one : 5e3);
@@ -687,21 +689,22 @@ static void test_units(void)
 
 static void test_own_fluid(void)
 {
+    struct dem_case *c;
     struct dem *d;
     struct dem_fluid f;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    WORLD_TRY(dem_scene_text(
-        d,
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    WORLD_TRY(dem_case_scene_text(
+        c,
         "materials { glass { density 2500; youngsModulus 1e5; } } "
         "effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
         "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } "
         "feed { type stream; rate 1e5; "
         "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }",
         "own"));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_start(&c, &d));
     WORLD_TRY(dem_fluid(d, &f));
-    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_flow_on_request"),
+    TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_case_flows_on_request"),
            "a stream and a fluid of the caller without announcement: %s", dem_error_text());
     dem_free(d);
 }

@@ -64,15 +64,15 @@ static void follows(void)
     double corner[18] = {-0.01, -0.01, 0.0, 0.01,  -0.01, 0.0, -0.01, 0.01, 0.0,
                          0.01,  -0.01, 0.0, 0.01, 0.01,  0.0, -0.01, 0.01, 0.0};
     struct dem_new_particle seed = {.diameter = 2.0*R, .material = "a"};
-    struct dem *const d = world_begin("materials { a { density 2500; youngsModulus 1e7; } } "
+    struct dem_case *const made = world_begin("materials { a { density 2500; youngsModulus 1e7; } } "
                                       "effects { hertz {} dry { restitution 0.9; } } "
                                       "time { step 5e-6; }");
     int status = DEM_OK;
 
     memcpy(seed.position, above, sizeof seed.position);
-    WORLD_TRY(dem_add_wall(d, "sheet", "a", 2, corner));
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_wall(made, "sheet", "a", 2, corner));
+    WORLD_TRY(dem_case_add_particles(made, 1, &seed));
+    struct dem *const d = world_start(made);
     for (int k = 0; k < 10 && !status; k++)
     {
         for (int c = 2; c < 18; c += 3)

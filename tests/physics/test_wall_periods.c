@@ -82,11 +82,10 @@ static void refused(void)
                                  "time { step 1e-6; }");
     const struct dem_new_particle seed = {
         .diameter = 2.0*R, .material = "a", .position = {0.0, 0.0, R}};
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
-    TAP_OK(dem_add_particles(d, 1, &seed) || dem_setup(d), "a longer step is refused");
+    TAP_OK(dem_case_add_particles(c, 1, &seed) || world_status(c), "a longer step is refused");
     TAP_OK(strstr(dem_error_text(), "1/60 of the period of wall w") != NULL, "by that limit");
-    dem_free(d);
     free(scene);
 }
 

@@ -79,14 +79,14 @@ static struct dem *slide(struct mesh *m, int rotated, const char *effects, doubl
         "time { step 8e-6; } %s",
         materials, effects, down[0], down[1], down[2],
         m ? "" : "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }");
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     if (m)
     {
-        mesh_hand_over(d, "floor", "rigid", m);
+        mesh_hand_over(c, "floor", "rigid", m);
     }
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
     free(scene);
     return d;
 }
@@ -249,17 +249,17 @@ static void corner(int triangles)
         materials,
         triangles ? ""
                   : "walls { b { type box; material rigid; min (0 0 0); max (0.02 0.02 0.02); } }");
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     double total[3] = {0.0, 0.0, 0.0};
 
     if (triangles)
     {
         struct mesh m = mesh_box(min, max);
 
-        mesh_hand_over(d, "b", "rigid", &m);
+        mesh_hand_over(c, "b", "rigid", &m);
     }
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
     world_run(d, 1.0);
     for (int w = 0; w < dem_wall_count(d); w++)
     {
@@ -291,12 +291,12 @@ static int64_t place_on(struct mesh *m, const double x[3], double force[3])
 {
     struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass"};
     char *const scene = world_text("%s effects { hertz {} } time { step 1e-9; }", materials);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     memcpy(seed.position, x, sizeof seed.position);
-    mesh_hand_over(d, "surface", "rigid", m);
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    mesh_hand_over(c, "surface", "rigid", m);
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
     world_step(d);
     const int64_t contacts = world_tally(d).contacts;
 
@@ -552,14 +552,14 @@ static void over_the_edge(void)
     char *const scene = world_text(
         "%s effects { hertz {} gravity { acceleration (0 0 -9.81); } } time { step 5e-6; }",
         materials);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     const double mass = world_sphere_mass(R, density);
     double worst = 0.0, start = 0.0;
     int64_t most = 0;
 
-    mesh_hand_over(d, "roof", "rigid", &m);
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    mesh_hand_over(c, "roof", "rigid", &m);
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
     for (int k = 0; k < 24000; k++)
     {
         world_step(d);
@@ -605,7 +605,7 @@ static void torque(void)
                                           .diameter = 2.0*R,
                                           .material = "glass"};
     struct mesh m = mesh_box(min, max);
-    struct dem *const d = world_begin(
+    struct dem_case *const c = world_begin(
         "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } "
         "rigid { density 1; youngsModulus 1e30; } }"
         "effects { hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } "
@@ -613,9 +613,9 @@ static void torque(void)
         "          twistingSpring { friction 0.3; } }");
     double before[3], after[3], impulse[3], twist[3], size = 0.0;
 
-    mesh_hand_over(d, "box", "rigid", &m);
-    WORLD_TRY(dem_add_particles(d, 1, &seed));
-    WORLD_TRY(dem_setup(d));
+    mesh_hand_over(c, "box", "rigid", &m);
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
     WORLD_TRY(dem_wall_impulse_reset(d));
     const struct world_particle p = world_at(d, 0);
 
@@ -646,7 +646,7 @@ static void both_sides(void)
     struct mesh m = mesh_floor(-0.05, 0.05, 5e-3);
     struct dem_new_particle seed[40];
     char *const scene = world_text("%s effects { hertz { impactSpeed 5; } }", materials);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     int wrong = 0;
 
     memset(seed, 0, sizeof seed);
@@ -662,9 +662,9 @@ static void both_sides(void)
                                             .material = "glass"};
         seed[k].position[1] += 0.02*(k%3) - 0.03;
     }
-    mesh_hand_over(d, "sheet", "rigid", &m);
-    WORLD_TRY(dem_add_particles(d, 40, seed));
-    WORLD_TRY(dem_setup(d));
+    mesh_hand_over(c, "sheet", "rigid", &m);
+    WORLD_TRY(dem_case_add_particles(c, 40, seed));
+    struct dem *const d = world_start(c);
     world_run(d, 2e-3);
     for (int k = 0; k < 40; k++)
     {
@@ -687,12 +687,12 @@ static void both_sides_of_a_plate(void)
     struct mesh m = {0};
     struct dem_new_particle seed[4];
     char *const scene = world_text("%s effects { hertz {} }", materials);
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     int wrong = 0;
 
     mesh_quad(&m, corner[0], corner[1], corner[2], corner[3]);
     mesh_quad(&m, corner[1], corner[0], corner[3], corner[2]);
-    mesh_hand_over(d, "plate", "rigid", &m);
+    mesh_hand_over(c, "plate", "rigid", &m);
     for (int k = 0; k < 4; k++)
     {
         const double away = (k < 2 ? -1.0 : 1.0)*(0.01 + 1.2*R);
@@ -704,8 +704,8 @@ static void both_sides_of_a_plate(void)
             .id = k,
             .material = "glass"};
     }
-    WORLD_TRY(dem_add_particles(d, 4, seed));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_add_particles(c, 4, seed));
+    struct dem *const d = world_start(c);
     world_run(d, 8.0*R);
     for (int k = 0; k < 4; k++)
     {
@@ -734,7 +734,7 @@ static void gap(void)
     const struct dem_new_particle p = {.position = {-500.3*v*step, 0.0, R - d},
                                        .velocity = {v, 0.0, 0.0}, .spin = {0.0, v/R, 0.0},
                                        .diameter = 2.0*R, .material = "a"};
-    struct dem *const world = world_begin(
+    struct dem_case *const c = world_begin(
         "materials { a { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hooke { "
         "stiffness 1000; } gravity { acceleration (0 0 -9.81); } } time { step 2e-6; }");
     double last = 0.0, largest = 0.0;
@@ -745,10 +745,10 @@ static void gap(void)
         const double corner[18] = {a, -w, 0.0, b, -w, 0.0, b, w, 0.0,
                                    a, -w, 0.0, b, w, 0.0, a, w, 0.0};
 
-        WORLD_TRY(dem_add_wall(world, side ? "right" : "left", "a", 2, corner));
+        WORLD_TRY(dem_case_add_wall(c, side ? "right" : "left", "a", 2, corner));
     }
-    WORLD_TRY(dem_add_particles(world, 1, &p));
-    WORLD_TRY(dem_setup(world));
+    WORLD_TRY(dem_case_add_particles(c, 1, &p));
+    struct dem *const world = world_start(c);
     for (int n = 0; n < 1000; n++)
     {
         world_step(world);
@@ -811,16 +811,15 @@ static void frictionless(void)
 
 static void refuse_driven_mirror(void)
 {
-    struct dem *const d = world_begin(
+    struct dem_case *const c = world_begin(
         "materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz {} dry {"
         " restitution 0.9; } } walls { belt { type plane; point (0 0 0); normal (0 0 1);"
         " frictionless yes; surfaceVelocity (1 0 0); } } insert { one { type list; diameter 1e-3;"
         " positions ((0 0 0.01)); } }");
 
-    TAP_OK(dem_setup(d) == DEM_ERROR_INPUT
+    TAP_OK(world_status(c) == DEM_ERROR_INPUT
                && strstr(dem_error_text(), "belt is frictionless, so the velocity of its surface"),
            "frictionless: with a surface velocity refused");
-    dem_free(d);
 }
 
 int main(void)

@@ -47,10 +47,10 @@ static struct dem *sphere(const char *more)
         "effects { gravity { acceleration (0 0 %g); } hertz {} stokesDrag {} pressureGradient {} }"
         "insert { one { type list; diameter %g; positions ((0 0 0)); %s } } time { step 1e-6; }",
         rho_p, -g, d, more);
-    struct dem *const w = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     struct dem_fluid f;
 
-    WORLD_TRY(dem_setup(w));
+    struct dem *const w = world_start(c);
     WORLD_TRY(dem_fluid(w, &f));
     free(scene);
     return w;
@@ -95,10 +95,10 @@ static double lift(int whole)
         "effects { hertz {} saffmanMei {} }"
         "insert { one { type list; diameter 1e-4; positions ((0 0 0)); frozen yes; } } "
         "time { step 1e-6; }";
-    struct dem *const w = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
     struct dem_fluid f;
 
-    WORLD_TRY(dem_setup(w));
+    struct dem *const w = world_start(c);
     dem_fluid_whole_drag(w, whole);
     give_fluid(w, 0.01, 0.0);
     WORLD_TRY(dem_fluid(w, &f));

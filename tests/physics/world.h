@@ -2,7 +2,8 @@
  * world.h -- set up a scene from text and particles, run it, and read results: for the tests of
  * physics.
  *
- *   struct dem *d = world(scene, n, seeds);   ready to run, without MPI
+ *   struct dem *d = world(scene, n, seeds);   a run, without MPI; or in two steps:
+ *   struct dem_case *c = world_begin(scene); dem_case_...(c, ...); struct dem *d = world_start(c);
  *   world_run(d, 0.1); or world_step(d)       for one step of the scene's time/step
  *   world_at(d, id).x[2]                      position, velocity, spin, contact force and torque
  *
@@ -16,6 +17,9 @@
 #include "unit/tap.h"
 
 #include "dem.h"
+#include "dem_fluid.h"
+#include "dem_plan.h"
+#include "dem_tables.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
@@ -54,25 +58,42 @@ static inline char *world_text(const char *format, ...)
     return text;
 }
 
-static inline struct dem *world_begin(const char *scene)
+static inline struct dem_case *world_begin(const char *scene)
+{
+    struct dem_case *c;
+
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    WORLD_TRY(dem_case_scene_text(c, scene, "scene"));
+    return c;
+}
+
+static inline struct dem *world_start(struct dem_case *c)
 {
     struct dem *d;
 
-    WORLD_TRY(dem_create(&d, MPI_COMM_NULL));
-    WORLD_TRY(dem_scene_text(d, scene, "scene"));
+    WORLD_TRY(dem_start(&c, &d));
     return d;
+}
+
+/* the status of a start, for a case that should be refused */
+static inline int world_status(struct dem_case *c)
+{
+    struct dem *d;
+    const int status = dem_start(&c, &d);
+
+    dem_free(d);
+    return status;
 }
 
 static inline struct dem *world(const char *scene, int64_t n, const struct dem_new_particle *seed)
 {
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
     if (n > 0)
     {
-        WORLD_TRY(dem_add_particles(d, n, seed));
+        WORLD_TRY(dem_case_add_particles(c, n, seed));
     }
-    WORLD_TRY(dem_setup(d));
-    return d;
+    return world_start(c);
 }
 
 static inline void world_run(struct dem *d, double duration)

@@ -12,6 +12,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "dem.h"
+#include "dem_plan.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,13 +30,14 @@ int main(int argc, char **argv)
     struct dem_totals tally;
     const char *plan;
     uint64_t hash;
+    struct dem_case *c;
     struct dem *d;
 
     if (argc < 3)
     {
         return EXIT_FAILURE;
     }
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argv[1]) || dem_setup(d) ||
+    if (dem_case_create(&c, MPI_COMM_NULL) || dem_case_scene_file(c, argv[1]) || dem_start(&c, &d) ||
         dem_advance(d, atof(argv[2])*dem_step_limit(d).used))
     {
         return failed();

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy
 
 import suna
-from tap import run_tests
+from tap import finish, run_tests
 
 PHYSICS = """
 materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.25; } }
@@ -284,5 +284,6 @@ def failed():
 
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
-    sys.exit(run_tests(of_a_temporary, kept, read_only, copies, callbacks, closed, threads, arguments,
-                       texts, failed))
+    run_tests(of_a_temporary, kept, read_only, copies, callbacks, closed, threads, arguments,
+        texts, failed)
+    finish()

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy
 
 import suna
-from tap import run_tests
+from tap import finish, run_tests
 
 SCENE = """
 materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.25; } }
@@ -236,5 +236,6 @@ def plots():
 
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
-    sys.exit(run_tests(copies, free_fall, scenes, errors, restart, energies, load, files, program, vtk,
-                       resting, grid, progress, interrupted, plots))
+    run_tests(copies, free_fall, scenes, errors, restart, energies, load, files, program, vtk,
+        resting, grid, progress, interrupted, plots)
+    finish()

@@ -118,13 +118,10 @@ static size_t of_means(void)
 
 static int can_start(void)
 {
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
-    WORLD_TRY(dem_load(d, bad_path));
-    const int status = dem_setup(d);
-
-    dem_free(d);
-    return status;
+    WORLD_TRY(dem_case_load(c, bad_path));
+    return world_status(c);
 }
 
 static void expect(int status, const char *what, const char *words)
@@ -278,7 +275,7 @@ static void skin_tuning(void)
     for (int k = 0; k < 2; k++)
     {
         const double nothing = NAN;
-        struct dem *const d = world_begin(scene);
+        struct dem_case *const c = world_begin(scene);
 
         memcpy(bad, good, size);
         for (int at = 3; k && at < 7; at++)
@@ -287,8 +284,8 @@ static void skin_tuning(void)
                    &nothing, sizeof nothing);
         }
         store(bad_path);
-        WORLD_TRY(dem_load(d, bad_path));
-        WORLD_TRY(dem_setup(d));
+        WORLD_TRY(dem_case_load(c, bad_path));
+        struct dem *const d = world_start(c);
         world_run(d, 1e-4);
         hash[k] = world_hash(d);
         dem_free(d);

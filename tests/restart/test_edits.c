@@ -9,7 +9,7 @@
  * - Every difference is a sentence of dem_warnings; an unchanged scene has none; numbers written in
  *   another way are no difference. A domain with other periodic axes is refused.
  *
- * Source: kinematics of rigid motion; the contract of dem_load in dem.h.
+ * Source: kinematics of rigid motion; the contract of dem_case_load in dem.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -34,13 +34,14 @@ static struct dem *start(const char *scene)
 /* Continue with `scene`, edited by n pairs of path and value. */
 static int load(struct dem **d, const char *scene, int n, const char *const (*set)[2])
 {
-    *d = world_begin(scene);
+    struct dem_case *c = world_begin(scene);
+
     for (int k = 0; k < n; k++)
     {
-        WORLD_TRY(dem_set(*d, set[k][0], set[k][1]));
+        WORLD_TRY(dem_case_set(c, set[k][0], set[k][1]));
     }
-    WORLD_TRY(dem_load(*d, file));
-    return dem_setup(*d);
+    WORLD_TRY(dem_case_load(c, file));
+    return dem_start(&c, d);
 }
 
 static struct dem *resume(const char *scene, int n, const char *const (*set)[2])
@@ -49,7 +50,7 @@ static struct dem *resume(const char *scene, int n, const char *const (*set)[2])
 
     if (load(&d, scene, n, set))
     {
-        world_end("dem_setup");
+        world_end("dem_start");
     }
     return d;
 }
@@ -198,21 +199,21 @@ static void refused_groups(void)
     TAP_OK(load(&d, base, 1, twice) != 0 && strstr(dem_error_text(), "id 1000, which a particle of"),
            "an id that the snapshot has: %s", dem_error_text());
     dem_free(d);
-    d = world_begin(base);
-    WORLD_TRY(dem_add_particles(d, 1, &one));
-    WORLD_TRY(dem_load(d, file));
-    WORLD_TRY(dem_setup(d));
+    struct dem_case *c = world_begin(base);
+    WORLD_TRY(dem_case_add_particles(c, 1, &one));
+    WORLD_TRY(dem_case_load(c, file));
+    d = world_start(c);
     TAP_OK(world_tally(d).particles == 101 && lines_of_restart(d) == 0,
            "particles of the program are those of the snapshot");
     dem_free(d);
     d = start(base);
     WORLD_TRY(dem_save(d, file));
     dem_free(d);
-    d = world_begin(base);
-    WORLD_TRY(dem_add_particles(d, 1, &one));
-    WORLD_TRY(dem_load(d, file));
-    WORLD_TRY(dem_setup(d));
-    TAP_OK(world_tally(d).particles == 101 && says(d, "dem_add_particles is new"),
+    c = world_begin(base);
+    WORLD_TRY(dem_case_add_particles(c, 1, &one));
+    WORLD_TRY(dem_case_load(c, file));
+    d = world_start(c);
+    TAP_OK(world_tally(d).particles == 101 && says(d, "dem_case_add_particles is new"),
            "particles that the program has not added before are inserted");
     dem_free(d);
 }
@@ -409,15 +410,15 @@ static void entries(void)
     }
     TAP_OK(all, "each changed entry has its sentence");
     dem_free(d);
-    d = world_begin(base);
+    struct dem_case *c = world_begin(base);
     for (int k = 0; k < 4; k++)
     {
-        WORLD_TRY(dem_set(d, same[k][0], same[k][1]));
+        WORLD_TRY(dem_case_set(c, same[k][0], same[k][1]));
     }
-    dem_scene_skip(d, "time");
-    dem_scene_skip(d, "write");
-    WORLD_TRY(dem_load(d, file));
-    WORLD_TRY(dem_setup(d));
+    dem_scene_skip(dem_case_dict(c), "time");
+    dem_scene_skip(dem_case_dict(c), "write");
+    WORLD_TRY(dem_case_load(c, file));
+    d = world_start(c);
     TAP_OK(lines_of_restart(d) == 0, "the same numbers in other words, the end and the output: none");
     dem_free(d);
     TAP_OK(load(&d, base, 1, periodic) != 0 && strstr(dem_error_text(), "not periodic along x"),

@@ -80,11 +80,10 @@ static int is_refused(int load)
 
     if (load)
     {
-        struct dem *const d = world_begin(scene);
+        struct dem_case *const c = world_begin(scene);
 
-        WORLD_TRY(dem_load(d, bad));
-        refused = refused && dem_setup(d) != 0 && strstr(dem_error_text(), bad);
-        dem_free(d);
+        WORLD_TRY(dem_case_load(c, bad));
+        refused = world_status(c) != 0 && refused && strstr(dem_error_text(), bad);
     }
     return refused;
 }

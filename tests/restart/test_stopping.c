@@ -38,10 +38,10 @@ static volatile sig_atomic_t requested_signal;
 
 static struct dem *load(const char *scene)
 {
-    struct dem *const d = world_begin(scene);
+    struct dem_case *const c = world_begin(scene);
 
-    WORLD_TRY(dem_load(d, file));
-    WORLD_TRY(dem_setup(d));
+    WORLD_TRY(dem_case_load(c, file));
+    struct dem *const d = world_start(c);
     return d;
 }
 

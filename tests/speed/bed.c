@@ -140,12 +140,13 @@ static int state(char **argument)
     const double width = strtod(argument[3], NULL), speed = strtod(argument[4], NULL);
     char side[64];
     struct dem_view v;
+    struct dem_case *made;
     struct dem *d;
 
     snprintf(side, sizeof side, "(0 %s)", argument[3]);
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) ||
-        dem_set(d, "domain/x", side) || dem_set(d, "domain/y", side) ||
-        dem_load(d, argument[1]) || dem_setup(d))
+    if (dem_case_create(&made, MPI_COMM_NULL) || dem_case_scene_file(made, argument[0]) ||
+        dem_case_set(made, "domain/x", side) || dem_case_set(made, "domain/y", side) ||
+        dem_case_load(made, argument[1]) || dem_start(&made, &d))
     {
         return fail(dem_error_text());
     }
@@ -176,7 +177,7 @@ static int state(char **argument)
 
 /* ---- run ------------------------------------------------------------------------------------- */
 
-static int add(struct dem *d, const char *path)
+static int start(struct dem_case *c, const char *path, struct dem **d)
 {
     FILE *const f = fopen(path, "r");
     struct dem_new_particle *seed = NULL, s = {.material = "glass"};
@@ -204,7 +205,7 @@ static int add(struct dem *d, const char *path)
         seed[n++] = s;
     }
     fclose(f);
-    const int status = dem_add_particles(d, (int64_t)n, seed) || dem_setup(d);
+    const int status = dem_case_add_particles(c, (int64_t)n, seed) || dem_start(&c, d);
 
     free(seed);
     return status ? fail(dem_error_text()) : 0;
@@ -234,21 +235,22 @@ static int run(int arguments, char **argument)
     const double step = strtod(argument[2], NULL), steps = strtod(argument[3], NULL),
                  before = status_bytes("VmRSS:");
     struct dem_totals t;
+    struct dem_case *c;
     struct dem *d;
 
-    if (dem_create(&d, MPI_COMM_NULL) || dem_scene_file(d, argument[0]) ||
-        dem_set(d, "time/step", argument[2]))
+    if (dem_case_create(&c, MPI_COMM_NULL) || dem_case_scene_file(c, argument[0]) ||
+        dem_case_set(c, "time/step", argument[2]))
     {
         return fail(dem_error_text());
     }
     for (int k = 5; k + 1 < arguments; k += 2)
     {
-        if (dem_set(d, argument[k], argument[k + 1]))
+        if (dem_case_set(c, argument[k], argument[k + 1]))
         {
             return fail(dem_error_text());
         }
     }
-    if (add(d, argument[1]))
+    if (start(c, argument[1], &d))
     {
         return 1;
     }

@@ -284,12 +284,15 @@ static void draw(struct scene *s, uint64_t seed)
 
 static int make(struct dem **d, const struct scene *s, MPI_Comm comm, const char *from)
 {
-    int status = dem_create(d, comm);
+    struct dem_case *c;
+    int status = dem_case_create(&c, comm);
 
-    status = status ? status : dem_scene_text(*d, s->text, "scene");
-    status = status ? status : comm == MPI_COMM_NULL && !from ? dem_energy_enable(*d) : 0;
-    status = status ? status : from ? dem_load(*d, from) : 0;
-    return status ? status : dem_setup(*d);
+    status = status ? status : dem_case_scene_text(c, s->text, "scene");
+    status = status ? status : comm == MPI_COMM_NULL && !from ? dem_case_enable_energy(c) : 0;
+    status = status ? status : from ? dem_case_load(c, from) : 0;
+    status = status ? status : dem_start(&c, d);
+    dem_case_free(c);
+    return status;
 }
 
 /* over all particles: kg m/s, kg m2/s; and sums of magnitudes */

@@ -14,7 +14,7 @@
 #include "tap.h"
 
 #include "core/block_means.h"
-#include "dem.h"
+#include "dem_tables.h"
 #include "core/random.h"
 
 enum

@@ -32,8 +32,9 @@ static struct dem *make(int n)
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "neighbours { outerSkin 0.2; innerSkin 0.1; }";
     struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
+    struct dem_case *c;
     struct dem *d = NULL;
-    int status = dem_create(&d, MPI_COMM_NULL) || dem_scene_text(d, scene, "row");
+    int status = dem_case_create(&c, MPI_COMM_NULL) || dem_case_scene_text(c, scene, "row");
 
     for (int k = 0; k < n; k++)
     {
@@ -43,7 +44,7 @@ static struct dem *make(int n)
                                       .id = k,
                                       .material = "glass"};
     }
-    status = status || dem_add_particles(d, n, seed) || dem_setup(d);
+    status = status || dem_case_add_particles(c, n, seed) || dem_start(&c, &d);
     free(seed);
     if (status)
     {
@@ -263,6 +264,7 @@ static void largest_overlap(double steps, double v)
     const double contact = 2.9432*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/v, dt = contact/steps;
     struct dem_new_particle seed[2*PAIRS];
     struct dem_profile f;
+    struct dem_case *c;
     struct dem *d = NULL;
     char step[32];
 
@@ -280,12 +282,12 @@ static void largest_overlap(double steps, double v)
     }
     snprintf(step, sizeof step, "%.17g", dt);
     int status =
-        dem_create(&d, MPI_COMM_NULL) ||
-        dem_scene_text(
-            d, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }",
+        dem_case_create(&c, MPI_COMM_NULL) ||
+        dem_case_scene_text(
+            c, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }",
             "pairs") ||
-        dem_set(d, "time/step", step) || dem_set(d, "time/force", "yes") ||
-        dem_add_particles(d, 2*PAIRS, seed) || dem_setup(d);
+        dem_case_set(c, "time/step", step) || dem_case_set(c, "time/force", "yes") ||
+        dem_case_add_particles(c, 2*PAIRS, seed) || dem_start(&c, &d);
 
     status = status || dem_advance(d, fmin(250.0, 3.0*steps)*dt) || dem_profile(d, &f);
     TAP_OK(status == 0, "pairs: %s", dem_error_text());

@@ -63,7 +63,7 @@ def refined(name):
 
 
 def warped(name):
-    """Inner points are moved by up to 0.4 mm each way: all inner faces are warped. With four of six seeds a linear
+    """Inner points are moved by up to 0.4 mm each way: all inner faces are warped. With five of six seeds a linear
     field is off by 1e-6 to 5e-4 of its range at some points; not with this one, nor at 0.3 mm."""
     case = cubes(name)
     points = case.field("constant/polyMesh/points")

@@ -89,7 +89,7 @@ insert { all { type random; diameter 8e-4; count 3400; velocity (0.4 0 0); min (
 outlets { out { patch outlet; } }
 coupling { rho 1000; kernel diffusion; }
 """
-for step in (1e-3, 2.5e-4):
+for step in (2.5e-4, 1e-3):
     what = f"leaves, steps of {step:g} s"
     case = duct(f"leaves.{step}", step, leaves, 0.05)
     claim_ran(f"{what}: runs", case)

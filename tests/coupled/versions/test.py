@@ -74,7 +74,13 @@ def finds(version, standard, broadcast, write):
     (stub/"Pstream.H").write_text(f"""
 namespace Foam
 {{
-    struct Pstream {{ template<class T> static void {broadcast}(T&) {{}} }};
+    template<class T> struct List {{ List(int); T& operator[](int); }};
+    struct Pstream
+    {{
+        template<class T> static void {broadcast}(T&) {{}}
+        template<class T> static void gatherList(T&);
+        static int nProcs(), myProcNo();
+    }};
     struct Time {{ int writeCompression() const {{ return 0; }} }};
     struct IOstream {{ static const int ASCII = 0, currentVersion = 2; }};
     struct IOstreamOption {{ static const int ASCII = 0; IOstreamOption(int, int) {{}} }};

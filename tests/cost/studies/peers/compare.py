@@ -5,8 +5,8 @@ steps.
     compare.py [damped oblique bed] [--turns 2] [--dem DEM] [--bed BED]
 
 Both codes start from the same table of spheres with the same laws. Each turn runs the whole series
-in Suna (dem cost) and then in LIGGGHTS, with the same numbers of steps in each run of a level. dem
-cost evaluates both tables (-judge), each against its own limit or the closed form. LIGGGHTS' time
+in Suna (dem cost) and then in LIGGGHTS, with the same numbers of steps in each run of a level.
+suna_cost evaluates both, each against its own limit or the closed form. LIGGGHTS' time
 is its process's less a run without steps (the minimum of three); its skin is the fastest of four.
 Suna's time covers its steps. BED: tests/speed/bed.c, built, which reads the settled bed. Results go
 to ../stored/peers.
@@ -17,7 +17,6 @@ import argparse
 import csv
 import datetime
 import math
-import os
 import pathlib
 import random
 import resource
@@ -28,6 +27,10 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parents[3]/"python"))
+from suna_cost.report import write_table            # noqa: E402
+from suna_cost.study import Level, Run, Series, Study            # noqa: E402
+
 RUNS, SAMPLES, LEVELS = 3, 32, (2, 1, 0.5, 0.25, 0.125)
 PLANES = ("zplane 0.0", "xplane 0.0", "xplane 0.008", "yplane 0.0", "yplane 0.008")
 # restitution; walls; gravity [m/s2]; window [s]; samples; closed form, as a fraction of the initial
@@ -104,7 +107,7 @@ def write(rows, folder):
 
 def rows_of(path):
     with open(path) as file:
-        return [r for r in csv.DictReader(file) if r["ladder"] == "step"]
+        return [r for r in csv.DictReader(file) if r["series"] == "step"]
 
 
 def suna(name, a, folder):
@@ -149,23 +152,24 @@ def liggghts_once(scene, folder, steps, skin, rest):
     return whole - rest, sum(t[0] for t in printed)/len(printed) + turn, turn
 
 
-def liggghts(name, a, folder, steps_of, skin):
+def liggghts(name, folder, steps_of, skin):
     """The same series; its rows."""
     scene = SCENES[name]
     rest = liggghts_rest(scene, folder, skin)
-    with open(folder/"table.csv", "w") as out:
-        out.write(f"title,{name} in LIGGGHTS\nwindow,{scene['window']!r}\nladder,step,step,timestep,time step as in Suna\n")
-        for rung, own in zip(LEVELS, steps_of):
-            out.write(f"rung,{rung:g},{int(rung == 1)},{rung!r},{scene['window']/own!r}\n")
-            apart = max(1, round(0.08*own/scene["looks"]/(RUNS - 1)))*scene["looks"]
-            for k in range(RUNS):
-                steps = own + apart*(k - (RUNS - 1)//2)
-                seconds, kinetic, turn = liggghts_once(scene, folder, steps, skin, rest)
-                out.write(f"run,{steps},{max(seconds, 1e-6)!r}\nvalue,kinetic,J,0,{kinetic!r}\n")
-                if "rotation" in scene["of"]:
-                    out.write(f"value,rotation,J,0,{turn!r}\n")
-    run([a.dem, "cost", "-judge", "table.csv", "liggghts"], folder, "log.judge")
-    return rows_of(folder/"liggghts/cost.csv")
+    series = Series("step", "time step as in Suna", exact=True, base=LEVELS.index(1))
+    for size, own in zip(LEVELS, steps_of):
+        level = Level(f"{size:g}", size, scene["window"]/own)
+        apart = max(1, round(0.08*own/scene["looks"]/(RUNS - 1)))*scene["looks"]
+        for k in range(RUNS):
+            steps = own + apart*(k - (RUNS - 1)//2)
+            seconds, kinetic, turn = liggghts_once(scene, folder, steps, skin, rest)
+            level.runs.append(Run(steps, max(seconds, 1e-6), {"kinetic": kinetic, "rotation": turn}))
+        series.levels.append(level)
+    study = Study("case", "", scene["window"], 0.01, dict.fromkeys(scene["of"].split(","), "J"),
+                  series=[series])
+    study.evaluate()
+    write_table(study, folder/"liggghts.csv")
+    return rows_of(folder/"liggghts.csv")
 
 
 def fastest(name, folder, steps):
@@ -182,7 +186,7 @@ def errors(name, rows, quantity, start):
     """[(level, error, seconds)]; against the closed form where there is one."""
     kept = SCENES[name]["kept"]
     own = [r for r in rows if r["quantity"] == quantity]
-    return [(float(r["rung"]), abs(float(r["mean"])/(kept*start) - 1) if kept
+    return [(float(r["level"]), abs(float(r["mean"])/(kept*start) - 1) if kept
              else float(r["error"]), float(r["processor[s]"])) for r in own]
 
 
@@ -207,20 +211,20 @@ def compare(name, a, folder, out):
         if skin is None:
             looks = SCENES[name]["looks"]
             steps_of = [looks*round(SCENES[name]["window"]/looks/float(next(r for r in ours
-                if float(r["rung"]) == g)["step[s]"])) for g in LEVELS]
+                if float(r["level"]) == g)["step[s]"])) for g in LEVELS]
             skin = fastest(name, folder, steps_of[2])
-        turns.append((ours, liggghts(name, a, folder, steps_of, skin)))
+        turns.append((ours, liggghts(name, folder, steps_of, skin)))
     print(f"{name}: {len(rows)} spheres, LIGGGHTS with a skin of {skin:g} m", file=out)
     for quantity in SCENES[name]["of"].split(","):
         both = [[errors(name, rows, quantity, start) for rows in turn] for turn in turns]
         print(f"  {quantity:10} level  Suna error  time        LIGGGHTS error  time        time for Suna's error  share", file=out)
-        for k, rung in enumerate(LEVELS):
+        for k, level in enumerate(LEVELS):
             share = [own[k][2]/price(other, own[k][1]) for own, other in both]
             middle = [statistics.median(t[c][k][2] for t in both) for c in (0, 1)]
-            print(f"  {'':10} {rung:<6g} {100*both[0][0][k][1]:8.3g} %  {middle[0]:.3g} s  {'':4} {100*both[0][1][k][1]:8.3g} %  {'':4} {middle[1]:.3g} s"
+            print(f"  {'':10} {level:<6g} {100*both[0][0][k][1]:8.3g} %  {middle[0]:.3g} s  {'':4} {100*both[0][1][k][1]:8.3g} %  {'':4} {middle[1]:.3g} s"
                   f"  {'':8} {middle[0]/statistics.median(share):.3g} s  {'':8} {statistics.median(share):.2f} ({min(share):.2f} to {max(share):.2f})", file=out)
     out.flush()
-    shutil.copy(folder/"liggghts/cost.csv", HERE.parent/f"stored/peers/{name}.liggghts.csv")
+    shutil.copy(folder/"liggghts.csv", HERE.parent/f"stored/peers/{name}.liggghts.csv")
     shutil.copy(folder/"suna/cost.csv", HERE.parent/f"stored/peers/{name}.suna.csv")
 
 

@@ -1,0 +1,86 @@
+/*
+ * dem_case.h -- struct dem_case, what will run: the run that is made, and what only its making
+ * needs.
+ *
+ * The files of case/ take the case; the folders above see struct dem only.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CASE_DEM_CASE_H
+#define DEM_CASE_DEM_CASE_H
+
+#include "case/internal.h"
+
+struct dem_case
+{
+    struct dem *d;                              /* what will run */
+    int checked;                                /* 1: dem_case_check succeeded, -1: it failed */
+
+    /* particles of the program; their materials are looked up when they are placed */
+    struct dem_initial_particles initial;
+    char (*initial_material)[48];
+    size_t initial_capacity;
+
+    /* of what only some runs need */
+    int energy, orientation, virial;            /* 1: asked for */
+    int exchanges;                              /* calls of dem_case_exchange_scalar, */
+    char exchanged[DEM_SCALARS][48];            /* and their scalars */
+    double displaced_density, fluid_density;    /* kg/m3  of the coupled fluid */
+
+    /* a snapshot */
+    char load_path[1024];                       /* "": none */
+    int new_run;                                /* 1: its particles are for another run */
+    int scene_start;                            /* 1: it is the scene's entry `start`: time begins
+                                                   at 0 */
+    struct dem_skins snapshot_skins;            /* of its neighbor lists */
+    struct dem_snapshot snapshot_flows;         /* its streams and outlets */
+    char (*reformed)[64];                       /* its walls whose form the scene has changed */
+    size_t reformed_walls, reformed_capacity;
+    int inserts;                                /* 1: groups are new at this restart */
+};
+
+/* Frees a run, and what a case has besides it. */
+void dem_api_free(struct dem *);
+
+/* Collective. Give the triangles of all patches to the streams. */
+int dem_api_assign_patches(struct dem *);
+
+/* Before walls are read: on which ranks triangles are given. */
+void dem_api_begin_walls(struct dem *);
+
+/* Collective. Add the walls of dem_case_add_wall to those of the scene; put those that have moved
+   where they are. */
+int dem_api_add_mesh_walls(struct dem *);
+int dem_api_position_mesh_walls(struct dem *);
+
+/* Collective. Read the scene and check it, without particles. */
+int dem_api_read_scene(struct dem_case *);
+
+/* Checks that need no particles, of a scene that has been read and whose walls exist. */
+int dem_api_check_scene(struct dem_case *);
+
+/* Collective. Once all radii are known: freeze the interaction table, choose the time step, finish
+   the walls. */
+int dem_api_finish_physics(struct dem *);
+
+/* Collective. Create the particles, on each rank a part of them; reduce their radii by material
+   over all ranks into the interaction table; fill the fluid columns; start streams and outlets. */
+int dem_api_create_particles(struct dem_case *);
+int dem_api_find_radii(struct dem_state *);
+int dem_api_add_radii(struct dem_case *);       /* of groups, streams and the program */
+int dem_api_store_initial(struct dem *, size_t from);    /* initial particles, from number `from` on */
+int dem_api_join_initial(struct dem_case *);
+void dem_api_init_fluid(struct dem *);
+int dem_api_begin_flows(struct dem_case *);
+
+/* Refuse overlaps at the start: of all particles, with the lists of the first step; of those from
+   the state of another run with walls; of those inserted at a restart. */
+int dem_api_refuse_overlap(struct dem *);
+int dem_api_check_start(struct dem_case *);
+int dem_api_check_inserted(struct dem_case *);
+
+/* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
+   put back, so that the run goes on with the same bits. */
+int dem_api_with_lists(struct dem *, int (*look)(struct dem *));
+
+#endif

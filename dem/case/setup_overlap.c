@@ -1,0 +1,122 @@
+/*
+ * setup_overlap.c -- overlaps at the start: a large one is an error in the input, not a contact.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/dem_case.h"
+#include "core/error.h"
+#include "ranks/collect.h"
+#include "records/totals.h"
+#include "step/neighbor_rebuild.h"
+#include <math.h>
+
+/* `flags`: of particles with one of them only; 0: of all. */
+static int refuse(struct dem_state *p, double limit, unsigned flags)
+{
+    struct dem_overlap pair, wall;
+
+    dem_totals_max_overlap(p, flags, &pair, &wall);
+    DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
+                DEM_ERROR_INPUT,
+                "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
+                "start, the limit is %g; move it, or raise time/maxStartOverlap",
+                (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
+                p->walls.wall[wall.partner].name, wall.fraction, limit);
+    DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,
+                "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
+                "start, the limit is %g; move them apart, or raise time/maxStartOverlap",
+                (long long)pair.id, (long long)pair.partner, pair.x[0], pair.x[1], pair.x[2],
+                pair.fraction, limit);
+    return DEM_OK;
+}
+
+int dem_api_refuse_overlap(struct dem *d)
+{
+    return refuse(&d->state, d->scene.max_start_overlap, 0);
+}
+
+/* A snapshot that was made in other walls may overlap the walls of this run. A soft bed that
+   has settled in the same walls overlaps them too, but not more than its particles overlap each
+   other; in a state in motion it may be twice as much. */
+static int refuse_other_walls(const struct dem_case *c)
+{
+    const struct dem *const d = c->d;
+    const struct dem_overlap *const wall = &d->start_wall, *const pair = &d->start_pair;
+    const double limit = fmax(d->scene.max_start_overlap, 2.0*pair->fraction);
+
+    DEM_REQUIRE(wall->fraction <= limit, DEM_ERROR_INPUT,
+                "%s: particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
+                "start, the limit is %.3g; the snapshot was made in other walls: settle the "
+                "particles in the walls of this run (in an OpenFOAM case: demPimpleFoam -settle) "
+                "and start from that snapshot",
+                c->load_path, (long long)wall->id, wall->x[0], wall->x[1], wall->x[2],
+                d->state.walls.wall[wall->partner].name, wall->fraction, limit);
+    return DEM_OK;
+}
+
+int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
+{
+    struct dem_state *const p = &d->state;
+    const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
+    const size_t losses = p->lost_particles->n, broke = p->bonds->n;
+    struct dem_backup backup = {.valid = 0};
+
+    dem_flows_backup(p->flows);
+    int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts,
+                                                  p->pairs.wall_facet));
+
+    status = status ? status : dem_neighbor_rebuild(p);
+    status = status ? status : look(d);
+    status = dem_collect_agree(&p->decomposition, status);
+    if (status)
+    {
+        dem_backup_free(&backup);
+        return status;
+    }
+    status = dem_backup_restore(&backup, &p->particles, &p->contacts);
+    dem_backup_free(&backup);
+    p->stale = 2;
+    p->limits.overlap = 0.0;
+    dem_flows_restore(p->flows);
+    p->lost_particles->n = losses;
+    p->bonds->n = broke;
+    p->rebuilds = rebuilds;
+    p->prunes = prunes;
+    return status;
+}
+
+static int measure_overlap(struct dem *d)
+{
+    return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
+}
+
+static int refuse_new_overlap(struct dem *d)
+{
+    return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
+}
+
+int dem_api_check_inserted(struct dem_case *c)
+{
+    struct dem_particles *const p = &c->d->state.particles;
+
+    if (!c->inserts || !c->load_path[0])
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_api_with_lists(c->d, refuse_new_overlap));
+    for (size_t i = 0; i < p->n; i++)
+    {
+        p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;
+    }
+    return DEM_OK;
+}
+
+int dem_api_check_start(struct dem_case *c)
+{
+    if (!c->new_run || c->d->state.walls.walls == 0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_api_with_lists(c->d, measure_overlap));
+    return refuse_other_walls(c);
+}

@@ -1,0 +1,122 @@
+/*
+ * dem_plan.h -- advice on a run before and while it runs: plan, warnings, verdicts on effects; and
+ * the library's list of effects as text.
+ *
+ * dem.h has the rules for return values, ownership and collective calls.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_PLAN_H
+#define DEM_PLAN_H
+
+#include "dem_types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct dem;
+
+/* ---- plan ------------------------------------------------------------------------------------ */
+
+/* 1  largest void fraction of a bed: particles that touch. Random loose packings of spheres have
+   0.44 (Onoda and Liniger, Phys. Rev. Lett. 64 (1990) 2727), of cohesive ones up to this. */
+#define DEM_BED_VOID_FRACTION 0.6
+
+/* what the program knows of the run ahead, for dem_plan; 0 where unknown */
+struct dem_run_info
+{
+    double duration;       /* s  from now on */
+    double window;         /* s  time step of a coupled fluid */
+    const char *why;       /* what limits the window, in a few words */
+    double cross_section;  /* m2 of the bed, mean over dem_bed_slab; 0: estimated from the walls */
+    double reached_window; /* s  time step that an adjusted one grows to; 0: `window` */
+    const char *reached_why;  /* what limits that */
+    double inflow;         /* m/s  superficial velocity of the fluid that enters, against gravity */
+
+    /* of a mesh and its fluid */
+    double volume, cell;      /* m3 of all cells; m  cube root of the smallest cell */
+    double speed, vorticity;  /* m/s, 1/s  largest */
+    int one_way;              /* 1: particles do not act on the fluid */
+    double patch_speed;       /* m/s  largest speed of the fluid on a patch */
+    double resolution;        /* m  length that a particle should not cross in half a window: the
+                                 smallest cell, or half the kernel's width */
+};
+
+/* Collective; in coupled runs after the fluid columns have been written. A report on the run ahead:
+   effects, walls, particles, time step, bed, fluid, memory and run time, as lines of text, the same
+   on all ranks, valid until the next dem_plan or dem_free. Measures steps of as many particles as a
+   rank has, at most 250000, for a tenth of a second or 20 steps. No particle moves; views stay
+   valid. */
+int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
+
+/* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a
+   numbered list under the line WARNINGS, each item with the entry to change; *text is "" when there
+   is nothing. `own`: n sentences of the program, which come first. Valid until the next call. */
+int dem_warnings(struct dem *, const struct dem_run_info *, int n, const char *const *own,
+                 const char **text);
+
+/* Collective, between two advances, with the largest overlap that dem_totals has returned since the
+   last call. *text: a sentence when contacts overlap by more than 10 %, or when a particle is
+   faster than impactSpeed so that its impacts will overlap by more than 5 %, with the settings to
+   take; "" otherwise, and when it was said before, unless it has grown by half. */
+int dem_impact_warning(struct dem *, double overlap, const char **text);
+
+/* Collective. The slab of the bed between 10 and 90 % of the volume of the particles
+   that move: heights x . up [m], up against gravity. Returns 0, and zeros, without gravity or such
+   particles. */
+int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
+
+enum dem_verdict_word
+{
+    DEM_NEEDED,      /* on, and needed */
+    DEM_NEGLIGIBLE,  /* on, but negligible */
+    DEM_MISSING      /* off, though the scene needs it */
+};
+
+/* whether the scene needs one effect: dem_verdicts */
+struct dem_verdict
+{
+    const char *effect;           /* its name */
+    enum dem_verdict_word word;
+    double fraction;              /* 1  its fraction of the quantity that `why` names */
+    double cost;                  /* 1  a negligible effect's fraction of processor time; NaN: not
+                                     measured */
+    char why[200];                /* the reason, and the source of the threshold */
+    const char *replaces;         /* the effect that a DEM_MISSING one replaces, or NULL */
+    const char *missing_setting;  /* the setting that the user must give for it, or NULL */
+};
+
+/* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
+int dem_verdicts(const struct dem *, const struct dem_verdict **);
+
+/* ---- effects of the library ------------------------------------------------------------------ */
+
+/* None of these needs a case or a run. */
+
+/* The name of effect number k of the library's list, from 0; NULL for another number. */
+const char *dem_effect_name(int k);
+
+/* An effect as text: name, stage, what it does, source, limitation; each setting with unit,
+   default, range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has.
+   *text is valid until the next call of this thread. */
+int dem_effect_text(const char *effect, const char **text);
+
+/* what an effect takes from the fluid or gives to the particles, or-ed: dem_effect_traits */
+enum dem_effect_trait
+{
+    DEM_TRAIT_PRESSURE_GRADIENT = 1,   /* the force of the full pressure gradient */
+    DEM_TRAIT_FLUID_ACCELERATION = 2,  /* reads Du/Dt of the fluid: added mass */
+    DEM_TRAIT_FLUID_STRESS = 4,        /* reads div tau of the fluid */
+    DEM_TRAIT_FLUID = 8,               /* acts in a fluid only */
+    DEM_TRAIT_TURBULENCE = 32,         /* reads k and epsilon of the fluid */
+    DEM_TRAIT_VISCOSITY = 16           /* reads the viscosity, unless it has a setting of its own */
+};
+
+/* The traits of the effect with this name; 0 without any, and for a name that no effect has. */
+unsigned dem_effect_traits(const char *effect);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

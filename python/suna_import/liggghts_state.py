@@ -1,0 +1,90 @@
+"""liggghts_state.py -- what a script of LIGGGHTS has defined: walls, meshes and their motion; a
+Stage is the state during one `run`.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy
+
+from .liggghts_mesh import rotated
+
+
+@dataclass
+class Wall:
+    """A fix wall/gran: one primitive or some meshes."""
+    name: str
+    model: object
+    place: object
+    type: int = 0
+    primitive: str = ""
+    numbers: tuple = ()
+    meshes: tuple = ()
+    velocity: tuple = ()            # shear: of the surface
+    temperature: float = 0.0        # K; 0: none
+    area: str = "overlap"           # of a contact that conducts
+
+
+@dataclass
+class Motion:
+    kind: str                       # linear, rotate, wiggle
+    values: tuple                   # SI
+    start: float
+    place: object
+    end: float = math.inf
+    name: str = ""                  # of the fix
+
+
+@dataclass
+class Mesh:
+    name: str
+    path: Path
+    triangles: object
+    type: int
+    place: object
+    scale: float = 1.0
+    transformed: bool = False       # beyond `scale`
+    velocity: tuple = ()
+    spin: tuple = ()                # origin, axis, omega
+    temperature: float = 0.0        # K; 0: none
+    motions: list = field(default_factory=list)
+
+    def at(self, time):
+        """Corners at a time, and whether any motion has moved them."""
+        x, moved = self.triangles, False
+        for m in self.motions:
+            t = min(time, m.end) - m.start
+            if t <= 0:
+                continue
+            moved = True
+            if m.kind == "linear":
+                x = x + numpy.array(m.values)*t
+            elif m.kind == "rotate":
+                x = rotated(x, numpy.array(m.values[:3]), m.values[3:6], m.values[6]*t)
+            else:
+                x = x + numpy.array(m.values[:3])*math.sin(2*math.pi*m.values[3]*t)
+        return x, moved
+
+
+def key(state):
+    """What a scene cannot change while it runs."""
+    gravity = None if state["gravity"] is None else tuple(state["gravity"][0])
+    return (state["model"] and state["model"].key(), state["properties"].key(), gravity,
+            tuple((name, wall.place) for name, wall in state["walls"].items()),
+            tuple(state["outlets"]), tuple(state["boundary"]), tuple(state["frozen"]),
+            tuple(state["integrated"]), tuple(state["forces"]), tuple(state["driven"]),
+            state["flat"], state["heat"] and state["heat"].key())
+
+
+@dataclass
+class Stage:
+    """Between the beginning and the end of one `run`."""
+    start: float
+    end: float
+    step: float
+    steps: int
+    state: dict
+    place: object
+    fresh: bool                     # no stage before belongs to it
