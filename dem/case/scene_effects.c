@@ -120,7 +120,7 @@ static int read_effect(void *table, const struct dem_dict *dict)
     DEM_TRY(dem_interaction_table_add_effect(r, name, dem_dict_where(dict)));
     for (int k = 0; k < r->chosen; k++)
     {
-        if (strcmp(r->effect[k]->name, name) == 0)
+        if (r->effect[k] == dem_effects_find(name))
         {
             return read_settings(r, NULL, r->effect[k], dict);
         }
@@ -168,6 +168,10 @@ static int read_pair(void *table, const struct dem_dict *dict)
     {
         DEM_TRY(refuse_alias(r->effect[k], dict));
         DEM_TRY(dem_dict_sub_if(dict, r->effect[k]->name, &sub));
+        if (!sub && r->effect[k]->short_name)
+        {
+            DEM_TRY(dem_dict_sub_if(dict, r->effect[k]->short_name, &sub));
+        }
         if (sub)
         {
             DEM_REQUIRE(r->effect[k]->stage < DEM_STAGE_BODY, DEM_ERROR_INPUT,

@@ -28,7 +28,7 @@ extern "C" {
    dense suspensions of light particles oscillate from step to step. */
 void dem_case_fluid_displaced(struct dem_case *, double density);
 
-/* The coupled fluid has this density [kg/m3] everywhere. The effect stokes then counts added mass
+/* The coupled fluid has this density [kg/m3] everywhere. The effect stokesDamping then counts added mass
    in its Stokes number. */
 void dem_case_fluid_density(struct dem_case *, double density);
 

@@ -126,6 +126,8 @@ struct dem_effect
 {
     /* keyword in the scene */
     const char *name;
+    /* a shorter keyword that scenes may use, too; or NULL */
+    const char *short_name;
     /* words of other DEM codes for it, separated by blanks, for "did you mean"; or NULL */
     const char *aliases;
     /* one sentence */

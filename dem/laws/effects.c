@@ -23,7 +23,9 @@ const struct dem_effect *dem_effects_find(const char *name)
 {
     for (int k = 0; k < EFFECTS; k++)
     {
-        if (strcmp(dem_effects[k]->name, name) == 0)
+        const char *const short_name = dem_effects[k]->short_name;
+
+        if (strcmp(dem_effects[k]->name, name) == 0 || (short_name && strcmp(short_name, name) == 0))
         {
             return dem_effects[k];
         }

@@ -14,7 +14,7 @@
     ROW(hooke_hysteresis)                                                                                             \
     ROW(dry)                                                                                                          \
     ROW(viscous)                                                                                                      \
-    ROW(stokes)                                                                                                       \
+    ROW(stokes_damping)                                                                                                       \
     ROW(mindlin)                                                                                                      \
     ROW(mindlin_incremental)                                                                                          \
     ROW(linear)                                                                                                       \

@@ -25,7 +25,7 @@ import numpy
 
 # effects under which two bodies that part are free: contact laws, and films that only attract
 LOSSLESS = {"hertz", "hooke"}
-ONLY_CONTACT = LOSSLESS | {"dry", "viscous", "stokes", "hookeHysteresis", "linear", "mindlin",
+ONLY_CONTACT = LOSSLESS | {"dry", "viscous", "stokesDamping", "hookeHysteresis", "linear", "mindlin",
                            "mindlinIncremental", "rollingConstant", "rollingSpring",
                            "rollingViscous", "twistingSpring", "sjkr", "jkr"}
 

@@ -123,7 +123,7 @@ def read_model(words, place, word, report):
         report.refuse(place, "torsionTorque on", "Suna has twistingSpring in its place, with other "
                       "parameters; write off, and add twistingSpring to the scene")
     if model.on("viscous"):
-        report.approximated(place, "viscous on", "stokes: " + STOKES)
+        report.approximated(place, "viscous on", "stokesDamping: " + STOKES)
     return model, words[k:]
 
 
@@ -205,7 +205,7 @@ def laws(model, base, properties, i, j):
         found["dry"] = {"restitution": 1.0}
         check_slip(model, value("gammat"), 0.0, "gammat")
     elif model.on("viscous"):
-        found["stokes"] = {"restitution": value("MaximumRestitution"), "beta": abs(
+        found["stokesDamping"] = {"restitution": value("MaximumRestitution"), "beta": abs(
             value("CriticalStokes")), "viscosity": value("FluidViscosity"), **damping}
     else:
         found["dry"] = {"restitution": value("coefficientRestitution"), **damping}

@@ -53,7 +53,7 @@ def viscous():
 def oil():
     v, mu = 0.5, 0.001
     e = 0.97*exp(-35/(M*v/(6*pi*mu*R**2)))
-    return (BALL + f"effects {{ hertz {{}} stokes {{ restitution 0.97; viscosity {mu}; }} }}\n" + PLATE
+    return (BALL + f"effects {{ hertz {{}} stokesDamping {{ restitution 0.97; viscosity {mu}; }} }}\n" + PLATE
             + one(1.01*R, f"0 0 -{v}") + "time { end 2e-4; }\n", lambda t: 0.5*M*(e*v)**2)
 
 

@@ -51,7 +51,7 @@ static void add(const struct dem_effect *e)
         double value;
     } known[] = {{"hertz", "impactSpeed", 1.0}, {"hooke", "stiffness", 1e3},
                 {"hookeHysteresis", "unloading", 4.0}, {"dry", "restitution", 0.7},
-                {"viscous", "coefficient", 0.01}, {"stokes", "restitution", 0.9},
+                {"viscous", "coefficient", 0.01}, {"stokesDamping", "restitution", 0.9},
                 {"sjkr", "energyDensity", 1e4},        {"jkr", "workOfAdhesion", 0.5},
                 {"linear", "friction", 0.4}, {"mindlinIncremental", "friction", 0.4}};
 
@@ -67,7 +67,7 @@ static void add(const struct dem_effect *e)
                 apply_setting(e, l->settings, &w.pair, "adhesion", 0.5);
                 apply_setting(e, l->settings, &w.pair, "plasticDepth", 0.01);
             }
-            if (strcmp(e->name, "stokes") == 0)
+            if (strcmp(e->name, "stokesDamping") == 0)
             {
                 apply_setting(e, l->settings, &w.pair, "viscosity", 0.01);
             }

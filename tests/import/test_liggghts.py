@@ -319,7 +319,7 @@ pair_style"""
                           ("hertz tangential history tangential_damping off",
                            "mindlin { friction 0.5; tangentialDamping no; }"),
                           ("hertz tangential history viscous on",
-                           "stokes { restitution 0.95; beta 35; viscosity 0.001; }")):
+                           "stokesDamping { restitution 0.95; beta 35; viscosity 0.001; }")):
         script = BASE.replace("hertz tangential history", words).replace("pair_style", more)
         scene, _ = translate(script)
         has(scene, *parts)

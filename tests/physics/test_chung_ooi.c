@@ -276,7 +276,7 @@ static void impulses(void)
                                           "dry { restitution 0.5; attraction clamped; }",
                                           "viscous { coefficient 3000; }",
                                           "viscous { coefficient 3000; attraction clamped; }",
-                                          "stokes { restitution 0.97; viscosity 3; }"};
+                                          "stokesDamping { restitution 0.97; viscosity 3; }"};
     const struct set *const s = &sets[2];
     const double m = world_sphere_mass(s->radius, s->density[0]);
 

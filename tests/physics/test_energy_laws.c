@@ -68,7 +68,7 @@ static const struct law_case cases[] = {
     {"hertz {} dry { restitution 0.2; }", 0.5, "lost_dry", 2e-3, 2.5},
     {"hertz {} dry { restitution 0.5; attraction clamped; }", 0.5, "lost_dry", 2e-3, 2.5},
     {"hooke { stiffness 2000; } viscous { coefficient 0.02; }", 0.5, "lost_viscous", 2e-3, 2.5},
-    {"hertz {} stokes { restitution 0.97; viscosity 1e-3; }", 0.5, "lost_stokes", 2e-3, 2.5},
+    {"hertz {} stokesDamping { restitution 0.97; viscosity 1e-3; }", 0.5, "lost_stokesDamping", 2e-3, 2.5},
     {"hertz {} lubrication { viscosity 1e-3; roughness 1e-6; cutOff 1e-5; }", 0.5,
      "lost_lubrication", 2e-3, 2.5},
     {"hertz {} mindlin { friction 0.3; }", 0.5, "lost_mindlin", 5e-4, 2.5},

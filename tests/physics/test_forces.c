@@ -122,14 +122,14 @@ static void added_mass_counts_once(void)
 {
     static const char scene[] =
         "materials { a { density 2500; youngsModulus 1e7; } }"
-        "effects { hertz {} stokes { restitution 0.9; addedMass 0.5; fluidDensity 1000; } "
+        "effects { hertz {} stokesDamping { restitution 0.9; addedMass 0.5; fluidDensity 1000; } "
         "virtualMass {} }"
         "fluid { density 1000; viscosity 1e-3; }"
         "insert { one { type list; diameter 2e-3; positions ((0 0 0)); } }";
     struct dem_case *const c = world_begin(scene);
 
     TAP_OK(world_status(c) && strstr(dem_error_text(), "addedMass"),
-           "added mass in stokes and in virtualMass is refused: %s", dem_error_text());
+           "added mass in stokesDamping and in virtualMass is refused: %s", dem_error_text());
 }
 
 /* Without drag: (m + a) dv/dt = a A - V grad p. */

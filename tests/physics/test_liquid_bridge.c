@@ -422,7 +422,7 @@ static void test_refused(void)
     refused("liquidBridge { surfaceTension 0.072; contactAngle 75; }", one, "", "contactAngle");
     refused("liquidBridge { surfaceTension 0.072; } jkr { workOfAdhesion 0.1; }", one, "",
             "choose only one");
-    refused("liquidBridge { surfaceTension 0.072; } stokes { restitution 0.9; }", one, "",
+    refused("liquidBridge { surfaceTension 0.072; } stokesDamping { restitution 0.9; }", one, "",
             "choose only one");
     refused("", one, "liquidVolume 1e-12;", "liquidVolume");
     refused(bridge, one, "liquidVolume -1e-12;", "from 0 to");

@@ -67,7 +67,7 @@ static void test_impacts(void)
         "hooke { stiffness 500; } viscous { coefficient 1e-3; }",
         "hooke { } dry { restitution 0.7; }",
         "hookeHysteresis { stiffness 500; unloading 3; adhesion 0.1; }",
-        "hertz { } stokes { restitution 0.95; viscosity 1e-3; fluidDensity 1000; }",
+        "hertz { } stokesDamping { restitution 0.95; viscosity 1e-3; fluidDensity 1000; }",
         "hertz { } dry { restitution 0.9; } jkr { workOfAdhesion 1e-3; }",
         "hertz { } dry { restitution 0.9; } sjkr { energyDensity 1e4; }"};
 

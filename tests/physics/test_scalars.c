@@ -237,7 +237,7 @@ static struct dem *impacts(const char *stokes, const char *rest)
          .id = 1, .material = "steel"}};
     char *const text = world_text(
         "materials { steel { density 7800; youngsModulus 1e8; } }"
-        "effects { hertz { } stokes { restitution 0.95; %s } mindlin { friction 0.3; } }"
+        "effects { hertz { } stokesDamping { restitution 0.95; %s } mindlin { friction 0.3; } }"
         "walls { end { type plane; point (2.03e-3 0 0); normal (-1 0 0); } }"
         "domain { min (-1 -1 -1); max (1 1 1); } time { step 1e-6; } %s", stokes, rest);
     struct dem_case *const c = world_begin(text);

@@ -72,7 +72,7 @@ static struct dem *start(double stokes, int pair, double step, double outer_skin
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
         "rigid { density 1; youngsModulus 1e30; } } neighbours { outerSkin %.17g; "
         "innerSkin %.17g; }"
-        "effects { hertz {} stokes { restitution %g; viscosity %g; } } time { step %.17g; "
+        "effects { hertz {} stokesDamping { restitution %g; viscosity %g; } } time { step %.17g; "
         "force yes; } %s",
         density, E, outer_skin, outer_skin, best, mu, step,
         pair ? ""
@@ -151,7 +151,7 @@ static struct dem *at_automatic_step(const char *law, double v, double step)
     struct dem_new_particle seed[PHASES];
     char *const scene = world_text(
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-        "rigid { density 1; youngsModulus 1e30; } } effects { %s stokes { restitution %g; "
+        "rigid { density 1; youngsModulus 1e30; } } effects { %s stokesDamping { restitution %g; "
         "viscosity %g; } } walls { floor { type plane; material rigid; point (0 0 0); "
         "normal (0 0 1); } }",
         density, E, law, best, mu);
@@ -217,7 +217,7 @@ static void overdamped_cluster(void)
         }
     }
     struct dem *const d = world("materials { steel { density 7800; youngsModulus 1e9; "
-                                "poissonsRatio 0.3; } } effects { hertz {} stokes { restitution 1; "
+                                "poissonsRatio 0.3; } } effects { hertz {} stokesDamping { restitution 1; "
                                 "viscosity 1000; } }", N, seed);
 
     for (int s = 0; s < 400; s++)
@@ -275,7 +275,7 @@ static void latched_through_a_snapshot(void)
     const int file = mkstemp(path);
     char *const scene = world_text(
         "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-        "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g;"
+        "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokesDamping { restitution %g;"
         "viscosity %g; } } time { step %.17g; force yes; } neighbours { outerSkin 0.3; "
         "innerSkin 0.3; }"
         "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
@@ -342,7 +342,7 @@ static void in_liquids(void)
         char *const scene = world_text(
             "materials { steel { density %g; youngsModulus %g; poissonsRatio 0.3; }"
             "rigid { density 1; youngsModulus 1e30; } } "
-            "effects { hertz {} stokes { restitution %g; %s } } %s "
+            "effects { hertz {} stokesDamping { restitution %g; %s } } %s "
             "time { step %.17g; } walls { floor { type plane; material rigid; point (0 0 0); "
             "normal (0 0 1); } }",
             density, E, best, settings, fluid, step);
@@ -384,7 +384,7 @@ static void glass_in_water(void)
     }
     char *const scene = world_text(
         "materials { glass { density %g; youngsModulus %g; poissonsRatio 0.3; }"
-        "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokes { restitution %g; } }"
+        "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} stokesDamping { restitution %g; } }"
         "fluid { density %g; viscosity %g; } time { step %.17g; } "
         "walls { floor { type plane; material rigid; point (0 0 0); normal (0 0 1); } }",
         rho, E, best, fluid, viscosity, step);

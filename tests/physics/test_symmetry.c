@@ -33,7 +33,7 @@ static const char *const settings[][2] = {
     {"hookeHysteresis", "stiffness 1000; unloading 4; adhesion 0.3; plasticDepth 0.02;"},
     {"dry", "restitution 0.7;"},
     {"viscous", "coefficient 0.01;"},
-    {"stokes", "restitution 0.97; viscosity 0.01;"},
+    {"stokesDamping", "restitution 0.97; viscosity 0.01;"},
     {"mindlin", "friction 0.3;"},
     {"mindlinIncremental", "friction 0.3;"},
     {"linear", "friction 0.3;"},

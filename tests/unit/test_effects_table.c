@@ -41,8 +41,8 @@ int main(void)
     holds("0,hertz dry\n", "a run begins");
     dem_effects_table_begin(folder, 0.5, "hertz dry");
     holds("0,hertz dry\n", "continued with the same effects");
-    dem_effects_table_begin(folder, 0.7, "hertz stokes");
-    holds("0,hertz dry\n0.7,hertz stokes\n", "with others");
+    dem_effects_table_begin(folder, 0.7, "hertz stokesDamping");
+    holds("0,hertz dry\n0.7,hertz stokesDamping\n", "with others");
     dem_effects_table_begin(folder, 0.7*(1.0 + 1e-12), "hertz viscous");
     holds("0,hertz dry\n0.7,hertz viscous\n", "once more from there, the last digit off");
     dem_effects_table_begin(folder, 0.6, "hertz dry mindlin");

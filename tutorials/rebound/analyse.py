@@ -31,7 +31,7 @@ SETS = {27: (6e-3, 965, 0.1, 0.518135), 100: (4e-3, 953, 0.02, 0.577125),
 BANDS = [(9, 16, 0, 0.15), (27, 33, 0.25, 0.40), (45, 55, 0.42, 0.58), (93, 108, 0.62, 0.78),
          (140, 165, 0.72, 0.84),
          (275, 325, 0.82, 0.93), (900, 1100, 0.93, 1.0)]
-FORMS = (("stokes", "by the law of contact with the run's viscosity"),
+FORMS = (("stokesDamping", "by the law of contact with the run's viscosity"),
          ("added", "by the law of contact with added mass"),
          ("instantaneous", "with the speed of the moment (LIGGGHTS)"),
          ("film", "by a film of roughness 1e-4 R"),
@@ -111,7 +111,7 @@ def main():
             stokes = 7800*d*speed/(9*viscosity)
             e = restitution(f"runs/{form}.{st}")[0]
             computed.setdefault(form, []).append((stokes, e))
-            if form in ("stokes", "added"):
+            if form in ("stokesDamping", "added"):
                 reference = law(stokes*(1 + 0.5*density/7800) if form == "added" else stokes)
             # in closed form, dry e: e - (1 + e) v_t/v, v_t = v/St ln(h_c/h_r)
             elif form in ("film", "rough"):
@@ -161,7 +161,7 @@ def main():
     curve.plot(st, numpy.exp(-35/st), color=OURS, lw=0.8, label="exp(-35/St), Legendre et al. 2006")
     curve.plot(st, numpy.maximum(1 - (1/BEST + 1)*numpy.log(1e3)/st, 0), color=OTHER, lw=0.8,
                label="film in closed form")
-    for form, colour, mark in (("stokes", OURS, "s"), ("instantaneous", "0.5", "v"),
+    for form, colour, mark in (("stokesDamping", OURS, "s"), ("instantaneous", "0.5", "v"),
                                ("film", OTHER, "^")):
         folder = Path(f"runs/twelve.{form}")
         if folder.is_dir():
@@ -169,7 +169,7 @@ def main():
             curve.plot(-7800*6e-3*before/0.9, numpy.maximum(-after/before, 0)/BEST, mark, ms=4,
                        color=colour,
                        label="Suna " + dict(FORMS)[form])
-    for form, colour, mark in (("stokes", OURS, "s"), ("instantaneous", "0.5", "v"),
+    for form, colour, mark in (("stokesDamping", OURS, "s"), ("instantaneous", "0.5", "v"),
                                ("film", OTHER, "^"), ("rough", OTHER, "<"), ("acts", "0.5", "x")):
         if form in computed:
             x, e = numpy.array(computed[form]).T

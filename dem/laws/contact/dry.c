@@ -20,7 +20,7 @@
  * contact model (in Japanese, 2025) are the same law. Changed from these notes: e = 0, which has no
  * logarithm, is critical damping; max(F_n, 0) of the latter's (10) is `attraction clamped`, which
  * keeps the attraction of adhesion.
- * Not here: restitution that depends on speed in a liquid (see stokes), plasticity, adhesion.
+ * Not here: restitution that depends on speed in a liquid (see stokesDamping), plasticity, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * film_loss.h -- rebound speed that a fluid film takes, for the relevance of stokes and lubrication.
+ * film_loss.h -- rebound speed that a fluid film takes, for the relevance of stokesDamping and lubrication.
  *
  *   1 - exp(-35/St*),   St* = St (1 + rho_f/(2 rho_p)),   St = m* v/(6 pi mu R*^2)
  *

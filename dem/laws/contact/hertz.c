@@ -24,7 +24,7 @@
  * 0.9 %. Eqs. (6), (7), (10), (11)
  * of Kasuga, Discrete element method (in Japanese, 2012) are the same law; changed: d is the
  * positive overlap, because delta of (7) is negative in contact and has no root in (10).
- * Not here: damping (see dry, stokes), friction (see mindlin), plastic contact, adhesion.
+ * Not here: damping (see dry, stokesDamping), friction (see mindlin), plastic contact, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

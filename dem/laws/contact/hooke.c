@@ -14,7 +14,7 @@
  * Source: Cundall and Strack, Geotechnique 29 (1979) 47; k: eq. (1) of Open DEM Japan,
  * Hooke/Hysteresis normal contact model (in Japanese, 2025); with a wall R* = R_i, m* = m_i and E*
  * of both, which that note leaves open.
- * Not here: damping (see dry, viscous, stokes), friction (see linear, mindlin), plastic contact
+ * Not here: damping (see dry, viscous, stokesDamping), friction (see linear, mindlin), plastic contact
  * (see hookeHysteresis).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

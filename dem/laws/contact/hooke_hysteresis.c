@@ -17,7 +17,7 @@
  *
  * On the adhesive branch d_max is reduced to the value for which the unloading line of k_2 passes
  * through (d, -k_c d), so that reloading follows this line. Every closed loop dissipates energy;
- * none produces any. Damping (dry, viscous, stokes) refers to k. Without adhesion: k_c = 0. Largest
+ * none produces any. Damping (dry, viscous, stokesDamping) refers to k. Without adhesion: k_c = 0. Largest
  * time step: pi sqrt(m/k_m)/20, at which oscillations on the line of k_m are 0.10 % too fast
  * (0.95 % at three times that).
  *
@@ -34,7 +34,7 @@
  *               condition stated there.
  *   (2), (4)    divide by zero for k_m = k and for phi = 0: see the limiting cases. At a wall
  *               2 R* = 2 R_i.
- *   (8)         is the law of dry; with the Stokes number it is stokes, with the impact speed.
+ *   (8)         is the law of dry; with the Stokes number it is stokesDamping, with the impact speed.
  *   (10)        max(F_n, 0) of the whole force would remove the adhesion: `attraction clamped` of
  *               dry clamps the attraction of the dashpot only.
  * The friction limit is mu (F_n + k_c d), as in Luding: it goes to zero where adhesion is strongest

@@ -36,7 +36,7 @@
  * and Smart and Leighton, Phys. Fluids A 1 (1989) 52; no film force in contact: Kempe, Froehlich,
  * J. Fluid Mech. 709 (2012) 445; Biegert, Vowinckel, Meiburg, J. Comput. Phys. 340 (2017) 105.
  * Not here: tangential and rolling films (ln(1/h) terms), elastohydrodynamic deformation. It cannot
- * be combined with stokes, whose restitution already contains the loss in the film.
+ * be combined with stokesDamping, whose restitution already contains the loss in the film.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -133,7 +133,7 @@ DEM_MATH void row(const struct lubrication *l, struct dem_contact_row *r, double
 #define SETS DEM_SETS_FN | DEM_SETS_LOST
 #include "laws/contact_loop.h"
 
-/* judged in use only: where a film is missing, stokes is the simpler law */
+/* judged in use only: where a film is missing, stokesDamping is the simpler law */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
     return of && dem_film_loss(g, v);
@@ -145,7 +145,7 @@ const struct dem_effect dem_lubrication = {
     .source = "Brenner 1961; Nguyen and Ladd 2002",
     .stage = DEM_STAGE_FILM,
     .needs = DEM_NEEDS_VISCOSITY,
-    .excludes = "stokes",
+    .excludes = "stokesDamping",
     .example = "roughness 1e-6; cutOff 5e-5;",
     .size = sizeof(struct lubrication),
     .settings = settings,

@@ -23,15 +23,15 @@
 #include "laws/fused/fused_loop.h"
 #define LAWS hertz, viscous, linear, rolling_spring, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hertz, stokes, mindlin, none, none
+#define LAWS hertz, stokes_damping, mindlin, none, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hertz, stokes, mindlin, rolling_spring, none
+#define LAWS hertz, stokes_damping, mindlin, rolling_spring, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hertz, stokes, mindlin, rolling_constant, none
+#define LAWS hertz, stokes_damping, mindlin, rolling_constant, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hertz, stokes, linear, none, none
+#define LAWS hertz, stokes_damping, linear, none, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hertz, stokes, linear, rolling_spring, none
+#define LAWS hertz, stokes_damping, linear, rolling_spring, none
 #include "laws/fused/fused_loop.h"
 
 const struct dem_fused_kernel dem_fused_hertz[] = {
@@ -44,9 +44,9 @@ const struct dem_fused_kernel dem_fused_hertz[] = {
     DEM_FUSED_ROW(hertz, viscous, mindlin, rolling_spring, none),
     DEM_FUSED_ROW(hertz, viscous, linear, none, none),
     DEM_FUSED_ROW(hertz, viscous, linear, rolling_spring, none),
-    DEM_FUSED_ROW(hertz, stokes, mindlin, none, none),
-    DEM_FUSED_ROW(hertz, stokes, mindlin, rolling_spring, none),
-    DEM_FUSED_ROW(hertz, stokes, mindlin, rolling_constant, none),
-    DEM_FUSED_ROW(hertz, stokes, linear, none, none),
-    DEM_FUSED_ROW(hertz, stokes, linear, rolling_spring, none),
+    DEM_FUSED_ROW(hertz, stokes_damping, mindlin, none, none),
+    DEM_FUSED_ROW(hertz, stokes_damping, mindlin, rolling_spring, none),
+    DEM_FUSED_ROW(hertz, stokes_damping, mindlin, rolling_constant, none),
+    DEM_FUSED_ROW(hertz, stokes_damping, linear, none, none),
+    DEM_FUSED_ROW(hertz, stokes_damping, linear, rolling_spring, none),
     {.apply = NULL}};

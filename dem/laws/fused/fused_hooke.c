@@ -25,13 +25,13 @@
 #include "laws/fused/fused_loop.h"
 #define LAWS hooke, viscous, mindlin, rolling_spring, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hooke, stokes, linear, none, none
+#define LAWS hooke, stokes_damping, linear, none, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hooke, stokes, linear, rolling_spring, none
+#define LAWS hooke, stokes_damping, linear, rolling_spring, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hooke, stokes, mindlin, none, none
+#define LAWS hooke, stokes_damping, mindlin, none, none
 #include "laws/fused/fused_loop.h"
-#define LAWS hooke, stokes, mindlin, rolling_spring, none
+#define LAWS hooke, stokes_damping, mindlin, rolling_spring, none
 #include "laws/fused/fused_loop.h"
 #define LAWS hooke_hysteresis, dry, linear, none, none
 #include "laws/fused/fused_loop.h"
@@ -49,10 +49,10 @@ const struct dem_fused_kernel dem_fused_hooke[] = {
     DEM_FUSED_ROW(hooke, viscous, linear, rolling_spring, none),
     DEM_FUSED_ROW(hooke, viscous, mindlin, none, none),
     DEM_FUSED_ROW(hooke, viscous, mindlin, rolling_spring, none),
-    DEM_FUSED_ROW(hooke, stokes, linear, none, none),
-    DEM_FUSED_ROW(hooke, stokes, linear, rolling_spring, none),
-    DEM_FUSED_ROW(hooke, stokes, mindlin, none, none),
-    DEM_FUSED_ROW(hooke, stokes, mindlin, rolling_spring, none),
+    DEM_FUSED_ROW(hooke, stokes_damping, linear, none, none),
+    DEM_FUSED_ROW(hooke, stokes_damping, linear, rolling_spring, none),
+    DEM_FUSED_ROW(hooke, stokes_damping, mindlin, none, none),
+    DEM_FUSED_ROW(hooke, stokes_damping, mindlin, rolling_spring, none),
     DEM_FUSED_ROW(hooke_hysteresis, dry, linear, none, none),
     DEM_FUSED_ROW(hooke_hysteresis, dry, linear, rolling_spring, none),
     {.apply = NULL}};

@@ -18,7 +18,7 @@
 #include "laws/contact/mindlin.h"
 #include "laws/contact/rolling_constant.h"
 #include "laws/contact/rolling_spring.h"
-#include "laws/contact/stokes.h"
+#include "laws/contact/stokes_damping.h"
 #include "laws/contact/viscous.h"
 #include "laws/effects.h"
 #include "laws/fused/fused.h"

@@ -1,5 +1,5 @@
 /*
- * stokes.h -- the law of stokes.c on one row.
+ * stokes_damping.h -- the law of stokes_damping.c on one row.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,7 +8,7 @@
 
 #include "laws/contact/restitution.h"
 
-struct dem_stokes
+struct dem_stokes_damping
 {
     double restitution;
     double beta;
@@ -30,10 +30,10 @@ enum    /* v in St */
 
 enum
 {
-    dem_stokes_columns = 1    /* v, 0 in the first step of a contact */
+    dem_stokes_damping_columns = 1    /* v, 0 in the first step of a contact */
 };
 
-DEM_MATH void dem_stokes_row(const struct dem_stokes *l, struct dem_contact_row *r,
+DEM_MATH void dem_stokes_damping_row(const struct dem_stokes_damping *l, struct dem_contact_row *r,
                              double *impact_speed)
 {
     const double six_pi = 18.8495559215387594, pi2 = DEM_RESTITUTION_PI2;

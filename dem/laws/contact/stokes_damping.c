@@ -1,5 +1,5 @@
 /*
- * stokes.c -- normal dashpot in a fluid: restitution by the Stokes number of the impact.
+ * stokes_damping.c -- normal dashpot in a fluid: restitution by the Stokes number of the impact.
  *
  *   F_n = ... - eta v_n,       eta = alpha(e) sqrt(m* k_n),  v_n in the middle of the kick
  *   ln e = ln e_max - beta/St,  St = m* v/(6 pi mu R*^2)
@@ -49,28 +49,28 @@
 #include "laws/effect.h"
 
 #include "laws/contact/film_loss.h"
-#include "laws/contact/stokes.h"
+#include "laws/contact/stokes_damping.h"
 #include "laws/parcels.h"
 #include <stdio.h>
 
 static const char *const speeds[] = {"impact", "instantaneous", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(dem_stokes, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
+    DEM_SETTING(dem_stokes_damping, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,
                 "e_max: restitution without fluid"),
-    DEM_SETTING(dem_stokes, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
-    DEM_SETTING(dem_stokes, viscosity, "Pa s", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_stokes_damping, beta, "1", 35.0, 0.0, 1e6, "ln e = ln e_max - beta/St"),
+    DEM_SETTING(dem_stokes_damping, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the fluid in the gap; 0: of the run's fluid"),
-    DEM_SETTING_AS(dem_stokes, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
+    DEM_SETTING_AS(dem_stokes_damping, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
                    "C_M: mass m + C_M rho_f V in St; -1, not given: 0.5 where rho_f is known, "
                    "as in the fit of beta; with virtualMass its own"),
-    DEM_SETTING_AS(dem_stokes, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_stokes_damping, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
                    "rho_f for addedMass; 0: of the run's fluid"),
     DEM_SETTING_CHOICE(
-        dem_stokes, speed, "speed", DEM_STOKES_IMPACT, speeds,
+        dem_stokes_damping, speed, "speed", DEM_STOKES_IMPACT, speeds,
         "v in St: of the first contact, or instantaneous as in LIGGGHTS, where restitution "
         "becomes 0.55 for 0.68 at St = 100"),
-    DEM_SETTING_CHOICE(dem_stokes, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
+    DEM_SETTING_CHOICE(dem_stokes_damping, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
                        "as for dry; clamped, restitution is too high: 0.54 for 0.48, 0.70 for "
                        "0.68"),
     {0},
@@ -82,7 +82,7 @@ static const char *const history_names[] = {"impact_speed", NULL};
 static const double sphere_added_mass = 0.5;
 
 /* 1: C_M in St */
-static double coefficient(const struct dem_stokes *stokes, const struct dem_pair_class *pair)
+static double coefficient(const struct dem_stokes_damping *stokes, const struct dem_pair_class *pair)
 {
     if (stokes->added_mass >= 0.0)
     {
@@ -92,7 +92,7 @@ static double coefficient(const struct dem_stokes *stokes, const struct dem_pair
 }
 
 /* 1: reduced mass with added mass over that without; the header comment says where it is exact */
-static double more_mass(const struct dem_stokes *stokes, const struct dem_pair_class *pair)
+static double more_mass(const struct dem_stokes_damping *stokes, const struct dem_pair_class *pair)
 {
     const double added = coefficient(stokes, pair)*stokes->density;    /* kg/m3 */
     const double rho_a = pair->a->density, rho_b = pair->b->density;
@@ -107,24 +107,24 @@ static double more_mass(const struct dem_stokes *stokes, const struct dem_pair_c
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct dem_stokes *stokes = of;
+    struct dem_stokes_damping *stokes = of;
 
     DEM_REQUIRE(
         pair->exponent > 0.0, DEM_ERROR_INPUT,
-        "stokes between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
+        "stokesDamping between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
         pair->a->name, pair->b->name);
     DEM_REQUIRE(
         stokes->fluid_density == 0.0 || pair->fluid_density == 0.0
             || fabs(stokes->fluid_density - pair->fluid_density) <= 1e-9*pair->fluid_density,
         DEM_ERROR_INPUT,
-        "stokes: fluidDensity %g kg/m3, but the fluid of the run has %g kg/m3; remove fluidDensity from stokes",
+        "stokesDamping: fluidDensity %g kg/m3, but the fluid of the run has %g kg/m3; remove fluidDensity from stokesDamping",
         stokes->fluid_density, pair->fluid_density);
     /* St of a parcel is l times the grain's */
-    DEM_TRY(dem_parcels_scale(pair, "stokes", "beta", 1, &stokes->beta));
+    DEM_TRY(dem_parcels_scale(pair, "stokesDamping", "beta", 1, &stokes->beta));
     stokes->density = stokes->fluid_density > 0.0 ? stokes->fluid_density : pair->fluid_density;
     DEM_REQUIRE(
         stokes->added_mass <= 0.0 || stokes->density > 0.0, DEM_ERROR_INPUT,
-        "stokes: addedMass %g has no effect without fluidDensity, which is %g kg/m3; give the fluid's density, "
+        "stokesDamping: addedMass %g has no effect without fluidDensity, which is %g kg/m3; give the fluid's density, "
         "or addedMass 0",
         stokes->added_mass, stokes->fluid_density);
     stokes->critical = dem_restitution_critical(pair->exponent);
@@ -133,7 +133,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return DEM_OK;
 }
 
-#define LAW dem_stokes
+#define LAW dem_stokes_damping
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
@@ -146,7 +146,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
 static double own_added_mass(const void *of)
 {
-    return fmax(((const struct dem_stokes *)of)->added_mass, 0.0);
+    return fmax(((const struct dem_stokes_damping *)of)->added_mass, 0.0);
 }
 
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
@@ -159,17 +159,18 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
 /* beta was fitted to St with added mass */
 static int describe(const void *of, const struct dem_regime *g, char *line, size_t size)
 {
-    const struct dem_stokes *const stokes = of;
+    const struct dem_stokes_damping *const stokes = of;
 
     (void)g;
     snprintf(line, size,
-             "stokes counts no added mass, which is in the fit of beta: give "
-             "effects/stokes/fluidDensity, or addedMass 0 to do without");
+             "stokesDamping counts no added mass, which is in the fit of beta: give "
+             "effects/stokesDamping/fluidDensity, or addedMass 0 to do without");
     return stokes->viscosity > 0.0 && stokes->fluid_density == 0.0 && stokes->added_mass < 0.0;
 }
 
-const struct dem_effect dem_stokes = {
-    .name = "stokes",
+const struct dem_effect dem_stokes_damping = {
+    .name = "stokesDamping",
+    .short_name = "stokes",
     .summary =
         "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact",
     .source = "Legendre, Zenit, Daniel, Guiraud 2006",
@@ -177,7 +178,7 @@ const struct dem_effect dem_stokes = {
     .parcels = DEM_PARCELS_SETTINGS,
     .needs = DEM_NEEDS_VISCOSITY,
     .example = "restitution 0.9;",
-    .size = sizeof(struct dem_stokes),
+    .size = sizeof(struct dem_stokes_damping),
     .settings = settings,
     .history = history_names,
     .prepare = prepare,

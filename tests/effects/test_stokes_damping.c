@@ -1,5 +1,5 @@
 /*
- * test_stokes.c -- restitution of impacts in a viscous fluid.
+ * test_stokes_damping.c -- restitution of impacts in a viscous fluid.
  *
  * - The restitution is e_max exp(-beta/St) with the Stokes number of the first contact, on a wall
  *   and between spheres.
@@ -37,8 +37,8 @@ static double bounce(double St, double e_max, int wall, int steps)
     const double dt = impacts_contact_time(&w, speed)/steps;
 
     impacts_add(&w, &dem_hertz, "impactSpeed", speed);
-    struct impacts_effect *const stokes = impacts_add(&w, &dem_stokes, "restitution", e_max);
-    apply_setting(&dem_stokes, stokes->settings, &w.pair, "viscosity", mu);
+    struct impacts_effect *const stokes = impacts_add(&w, &dem_stokes_damping, "restitution", e_max);
+    apply_setting(&dem_stokes_damping, stokes->settings, &w.pair, "viscosity", mu);
     impacts_aim(&w, 16, dt, speed);
     return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
 }
@@ -81,7 +81,7 @@ static double alpha(const struct impacts_effect *l, double vn, double fluid, dou
     w.b.fn[0] = 0.0;
     double *history[1] = {speed};
 
-    dem_stokes.apply(l->settings, &w.b, history);
+    dem_stokes_damping.apply(l->settings, &w.b, history);
     return w.b.eta[0]/sqrt(2e-3*1e6);
 }
 
@@ -99,7 +99,7 @@ static void by_hand(void)
 
     impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
-    struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
+    struct impacts_effect *const l = impacts_add(&w, &dem_stokes_damping, "restitution", 0.97);
 
     /* from here on a few rounded factors: 1e-13 */
     TAP_NEAR(alpha(l, -0.5, mu, &speed), alpha_of(0.97*exp(-35.0/St)), 1e-13,
@@ -111,7 +111,7 @@ static void by_hand(void)
     w.b.touching[0] = 0.0;
     w.b.kn[0] = 0.0;
     double *history[1] = {&speed};
-    dem_stokes.apply(l->settings, &w.b, history);
+    dem_stokes_damping.apply(l->settings, &w.b, history);
     TAP_OK(speed == 0.0 && w.b.eta[0] == 0.0, "apart it is cleared and no force acts");
     alpha(l, -0.2, mu, &speed);
     TAP_OK(speed == 0.2, "the next contact latches its own speed");
@@ -128,24 +128,24 @@ static void by_hand(void)
     TAP_NEAR((speed = 0.0, alpha(l, -1e-12, mu, &speed)), critical, 1e-9,
              "creeping: critical damping");
 
-    apply_setting(&dem_stokes, l->settings, &w.pair, "restitution", 0.0);
+    apply_setting(&dem_stokes_damping, l->settings, &w.pair, "restitution", 0.0);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), critical, 1e-13,
              "e_max = 0: critical damping");
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, 0.0, &speed)), critical, 1e-13,
              "e_max = 0 without viscosity: critical damping");
-    apply_setting(&dem_stokes, l->settings, &w.pair, "restitution", 1.0);
+    apply_setting(&dem_stokes_damping, l->settings, &w.pair, "restitution", 1.0);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-35.0/St)), 1e-13,
              "e_max = 1: damping by the fluid alone");
     TAP_OK((speed = 0.0, alpha(l, -0.5, 0.0, &speed)) == 0.0,
            "e_max = 1 without viscosity: no damping");
 
-    apply_setting(&dem_stokes, l->settings, &w.pair, "viscosity", 2.0*mu);
+    apply_setting(&dem_stokes_damping, l->settings, &w.pair, "viscosity", 2.0*mu);
     TAP_NEAR((speed = 0.0, alpha(l, -0.5, mu, &speed)), alpha_of(exp(-70.0/St)), 1e-13,
              "the setting has priority over the fluid's viscosity");
-    apply_setting(&dem_stokes, l->settings, &w.pair, "beta", 0.0);
+    apply_setting(&dem_stokes_damping, l->settings, &w.pair, "beta", 0.0);
     TAP_OK((speed = 0.0, alpha(l, -0.5, mu, &speed)) == 0.0, "beta = 0: e_max whatever the fluid");
     TAP_OK((speed = 0.0, alpha(l, 0.0, mu, &speed)) == 0.0, "beta = 0 at rest");
-    TAP_OK(dem_stokes.needs & DEM_NEEDS_VISCOSITY, "it needs the fluid's viscosity");
+    TAP_OK(dem_stokes_damping.needs & DEM_NEEDS_VISCOSITY, "it needs the fluid's viscosity");
 }
 
 enum source
@@ -173,20 +173,20 @@ static void added(const char *what, enum source source, const struct dem_materia
         impacts_spheres(&w, a, b, Ra, Rb);
     }
     w.pair.exponent = 1.5;
-    struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
+    struct impacts_effect *const l = impacts_add(&w, &dem_stokes_damping, "restitution", 0.97);
     if (source == GIVEN || source == DENSITY)
     {
-        apply_setting(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0);
+        apply_setting(&dem_stokes_damping, l->settings, &w.pair, "fluidDensity", 1000.0);
     }
     else
     {
         w.pair.fluid_density = 1000.0;
         w.pair.inertia_has_added_mass = source == IN_INERTIA;
-        apply_setting(&dem_stokes, l->settings, &w.pair, "beta", 35.0);
+        apply_setting(&dem_stokes_damping, l->settings, &w.pair, "beta", 35.0);
     }
     if (source == GIVEN)
     {
-        apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5);
+        apply_setting(&dem_stokes_damping, l->settings, &w.pair, "addedMass", 0.5);
     }
 
     const double ma = sphere_mass(Ra, a->density + more), mb = wall ? 0.0 : sphere_mass(Rb, b->density + more);
@@ -201,7 +201,7 @@ static void added(const char *what, enum source source, const struct dem_materia
     w.b.vn[0] = -v;
     w.b.viscosity[0] = mu;
     double *history[1] = {&speed};
-    dem_stokes.apply(l->settings, &w.b, history);
+    dem_stokes_damping.apply(l->settings, &w.b, history);
     TAP_NEAR(w.b.eta[0]/sqrt(w.pair.min_mass*1e6), alpha_of(0.97*exp(-35.0/St)), 1e-13,
              "added mass: %s", what);
 }
@@ -230,10 +230,10 @@ static void other_forms(void)
                          dt = pi*sqrt(w.mass[0]/k)/10000.0;
 
             impacts_add(&w, &dem_hooke, "stiffness", k);
-            struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-            apply_setting(&dem_stokes, l->settings, &w.pair, "viscosity", mu);
-            apply_setting(&dem_stokes, l->settings, &w.pair, "attraction", form == 1);
-            apply_setting(&dem_stokes, l->settings, &w.pair, "speed", form == 2);
+            struct impacts_effect *const l = impacts_add(&w, &dem_stokes_damping, "restitution", 0.97);
+            apply_setting(&dem_stokes_damping, l->settings, &w.pair, "viscosity", mu);
+            apply_setting(&dem_stokes_damping, l->settings, &w.pair, "attraction", form == 1);
+            apply_setting(&dem_stokes_damping, l->settings, &w.pair, "speed", form == 2);
             impacts_aim(&w, 16, dt, v);
             const int parted = impacts_impact(&w, dt, 50000);
 
@@ -265,11 +265,11 @@ int main(void)
 
     impacts_wall(&w, &steel, &rigid, 0.003);
     w.pair.exponent = 1.5;
-    struct impacts_effect *const l = impacts_add(&w, &dem_stokes, "restitution", 0.97);
-    TAP_OK(apply_setting(&dem_stokes, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s",
+    struct impacts_effect *const l = impacts_add(&w, &dem_stokes_damping, "restitution", 0.97);
+    TAP_OK(apply_setting(&dem_stokes_damping, l->settings, &w.pair, "addedMass", 0.5) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w.pair.fluid_density = 998.0;
-    TAP_OK(apply_setting(&dem_stokes, l->settings, &w.pair, "fluidDensity", 1000.0) == DEM_ERROR_INPUT, "%s",
+    TAP_OK(apply_setting(&dem_stokes_damping, l->settings, &w.pair, "fluidDensity", 1000.0) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     other_forms();
     TAP_DONE;
