@@ -48,8 +48,8 @@ int dem_api_assign_patches(struct dem *);
 /* Before walls are read: on which ranks triangles are given. */
 void dem_api_begin_walls(struct dem *);
 
-/* Collective. Add the walls of dem_case_add_wall to those of the scene; put those that have moved
-   where they are. */
+/* Collective. Add the walls of dem_case_add_wall to the walls of the scene; move each to its present
+   position. */
 int dem_api_add_mesh_walls(struct dem *);
 int dem_api_position_mesh_walls(struct dem *);
 

@@ -1,6 +1,6 @@
 /*
- * setup_walls.c -- walls of dem_case_add_wall: each rank gives its triangles. Those of a wall that
- * moves are gathered on each rank at each movement.
+ * setup_walls.c -- walls of dem_case_add_wall: each rank gives its triangles. When a wall moves,
+ * each rank gathers all its triangles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,6 +1,6 @@
 /*
- * wall_store_gather.c -- triangles that all ranks hold: those of a wall that follows a mesh, those
- * near a box.
+ * wall_store_gather.c -- triangles that all ranks hold: all of a wall that follows a mesh, and
+ * all near a box.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

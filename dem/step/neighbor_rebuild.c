@@ -263,8 +263,8 @@ static int hold_triangles(struct dem_state *state, int status)
     return status || !changed ? status : dem_wall_search_prepare(s, &state->walls, s->radius);
 }
 
-/* Collective. The outer list of pairs, and from it the contact rows with their history; `status` is that of the
-   migration, on which the ranks agree here. */
+/* Collective. The outer list of pairs, and from it the contact rows with their history. `status` is what the
+   migration returned on this rank; the ranks agree on it here. */
 static int build_lists(struct dem_state *state, int status)
 {
     dem_pairs_use_chosen_skin(&state->pairs);
