@@ -102,7 +102,7 @@ slips = [                                             # what, sentence, changes
     ("an unknown set of equations", 'unknown equations "?IV', coupling("equations IV;")),
     ("equations of a fluid that feels nothing", "equations says how the fluid feels.*twoWay no",
      coupling("equations II; twoWay no;")),
-    *((f"{effect} in set III", f"Equations III are.*{effect}", ("pressureGradient {}", rf"\g<0> {effect} {{}}"),
+    *((f"{effect} in set III", f"Equations III hold.*{effect}", ("pressureGradient {}", rf"\g<0> {effect} {{}}"),
        coupling("equations III;")) for effect in ("virtualMass", "viscousStress")),
     *((f"no pressureGradient in set {equations}", f"Equations {equations} need pressureGradient",
        ("pressureGradient {}", ""), coupling(f"equations {equations};")) for equations in ("I", "II", "III")),
