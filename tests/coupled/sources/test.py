@@ -5,7 +5,8 @@
   ends.
 - A uniform force leaves the fluid of a closed box at rest, with a linear pressure.
 - A uniform force and resistance in a periodic box accelerate the fluid as the Euler scheme does; the
-  budget has the impulse, two ranks have the numbers of one, and a restart has the bits.
+  budget has the impulse, two ranks have the numbers of one, a restart has the bits, and a resistance
+  that ends leaves nothing behind.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -150,4 +151,11 @@ case.run("demPimpleFoam", ranks=2, log="log.ranks")
 case.run("reconstructPar", "-time", "0.02")
 claim("periodic box: two ranks have the velocity of one (1e-9)",
       difference(case.field("0.02/U"), read_field(case/"straight/U")) < 1e-9)
+
+# after ten steps the force acts alone
+case.sub("constant/fvOptions", "selectionMode cellZone;", "timeStart 0; duration 0.0105; selectionMode cellZone;")
+case.run("demPimpleFoam")
+speed = speeds[10] + 10*20e-3
+claim("a resistance that ends leaves nothing behind (1e-5; the grain takes 4e-6 in its cell)",
+      largest(case.field("0.02/U") - [0, 0, speed]) < 1e-5*speed, case.field("0.02/U")[0], speed)
 finish()
