@@ -23,9 +23,6 @@ struct dem_plan    /* data of the paragraphs */
     struct dem_run_cost cost;    /* set by dem_plan_write */
 };
 
-/* Collective. Asks for the numbers of the scene. */
-int dem_plan_begin(struct dem_plan *, struct dem *, const struct dem_run_info *);
-
 /* Collective. Measures the cost, writes all paragraphs. Returns DEM_OK or an error. */
 int dem_plan_write(struct dem_text *, struct dem_plan *);
 
@@ -36,6 +33,9 @@ void dem_plan_cost(struct dem_text *, const struct dem_plan *);
 void dem_plan_bed(struct dem_text *, const struct dem_plan *);         /* plan_fluid.c */
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
 int dem_plan_regime(struct dem_text *, const struct dem_plan *);       /* regime.c; collective */
+
+/* Collective. Asks for the numbers of the scene. */
+int dem_plan_begin(struct dem_plan *, struct dem *, const struct dem_run_info *);
 
 /* m/s2: magnitude of gravity */
 double dem_plan_gravity(const struct dem_plan *);
