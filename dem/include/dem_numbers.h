@@ -54,7 +54,7 @@ struct dem_scene_numbers
     double fluid_density, viscosity;          /* kg/m3, Pa s */
     double fluid_speed, vorticity, stress;    /* m/s, 1/s, N/m3  magnitudes, of the scene's own */
 
-    /* laws; numbers of contacts are those of the first pair of materials */
+    /* laws; contacts: of the first pair of materials */
     const char *drag_law;                     /* NULL: none */
     int pressure_gradient;                    /* 1: it acts on particles */
     double modulus;                           /* Pa  reduced */
