@@ -4,8 +4,8 @@
     store.py CASE "10 s, 2 cores of ..., DATE" [NAME]
 
 CASE is a folder in which compare.py has written; the text says what ran where. Without NAME it is
-the run of the table at the top; with NAME (fine, stiff, slow) it goes to stored/NAME and into the
-table of that name.
+the run of the table at the top; with NAME (fine, stiff, slow) it goes to stored/NAME, and into the
+table of that name if results.md has one.
 
     store.py -beside "WHAT RAN WHERE" NAME LABEL=CASE ...
 
@@ -30,15 +30,15 @@ SHORT = ["result.csv", "profiles.csv", "profiles.png"]          # of a run with 
 
 def table(rows, text, against):
     others = {(quantity, height): pair for quantity, height, _, *pair in against.rows}
-    lines = [f"{text}:", "", f"| | height | rms | 95 % of rms | spread of the measured points | {' | '.join(against.others)} |",
-             "|---|---|---|---|---|---|---|"]
+    lines = [f"{text}:", "", f"| | height | rms | spread of the measured points | {' | '.join(against.others)} |",
+             "|---|---|---|---|---|---|"]
     last = []
     for row in rows:
         key = row["quantity"], float(row["height_mm"])
         if key in others:
             unit = "" if row["unit"] == "1" else " " + row["unit"]
             name = "void fraction" if key[0] == "voidFraction" else "vertical velocity"
-            lines.append(f"| {name} | {key[1]:g} mm | **{float(row['rms']):.3f}**{unit} | ± {float(row['ci95']):.3f} "
+            lines.append(f"| {name} | {key[1]:g} mm | **{float(row['rms']):.3f}** ± {float(row['ci95']):.3f}{unit} "
                          f"| {float(row['spread']):.3f} | {others[key][0]:.3f} | {others[key][1]:.3f} |")
         elif key[0] == "pressureDrop":
             last.append(f"Pressure drop {float(row['rms']):.1f} ± {float(row['ci95']):.1f} Pa; the beads weigh "
@@ -86,7 +86,8 @@ def put(name, new):
     head = f"<!-- table {name}".rstrip() + " -->\n"
     text = page.read_text()
     if head not in text:
-        sys.exit(f"store: results.md has no line {head}")
+        print(f"store: results.md has no line {head.strip()}; its table:\n\n{new}")
+        return
     page.write_text(re.sub(rf"({head}).*?(<!-- end -->)",
                              lambda m: m.group(1) + new + "\n" + m.group(2), text,
                              flags=re.DOTALL))
