@@ -25,7 +25,7 @@ import beside
 from compare import HERE, experiment
 
 FILES = ["result.csv", "profiles.csv", "profiles.png", "pressure.png", "bed.png"]
-SHORT = ["result.csv", "profiles.csv", "profiles.png"]          # of a run with a name
+SHORT = ["result.csv", "profiles.csv"]          # of a run with a name; profiles.png if results.md shows it
 
 
 def table(rows, text, against):
@@ -51,7 +51,7 @@ def table(rows, text, against):
             last.append(f"its spectrum is largest at {float(row['rms']):.2f} ± {float(row['ci95']):.2f} Hz.")
         elif key[0] == "processorTime":
             last.append(f"{float(row['rms']):.0f} s of processor.")
-    return "\n".join(lines + ["", " ".join(last)])
+    return "\n".join(lines + ["", *last])
 
 
 def main():
@@ -64,7 +64,8 @@ def main():
         sys.exit(__doc__)
     case, name = Path(sys.argv[1]), "".join(sys.argv[3:])
     (HERE/"stored"/name).mkdir(parents=True, exist_ok=True)
-    for file in SHORT if name else FILES:
+    shown = ["profiles.png"] if f"stored/{name}/profiles.png" in (HERE/"results.md").read_text() else []
+    for file in SHORT + shown if name else FILES:
         shutil.copy(case/file, HERE/"stored"/name/file)
     with open(case/"result.csv", newline="") as file:
         put(name, table(csv.DictReader(file), sys.argv[2], experiment(case)))
