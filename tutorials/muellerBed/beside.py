@@ -49,8 +49,8 @@ def table(runs, text):
     against = [differ(run, runs[0]) for run in runs]
     boxes = max(of for _, of in against)
     lines = [f"{text}:", "",
-             f"| | {' | '.join(short for *_, short in PROFILES)} | boxes of {boxes} that differ | deviation of the pressure, Pa "
-             "| processor, s |",
+             f"| | {' | '.join(short for *_, short in PROFILES)} | boxes of {boxes} that differ "
+             "| deviation of the pressure, Pa | processor, s |",
              "|---" * (len(PROFILES) + 4) + "|"]
     for run, (count, _) in zip(runs, against):
         cells = [run.label, *(run.entry(quantity, height) for quantity, height, _ in PROFILES),
