@@ -57,6 +57,7 @@ enum dem_column_group
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
     DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
     DEM_GROUP_OUTLETS = 8192,         /* outlets that are regions */
+    DEM_GROUP_OWN_WAKE = 16384,       /* coupling that subtracts a particle's own wake */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
 };
 
@@ -92,6 +93,9 @@ enum dem_column_name
                                             0 before it is set */
     DEM_COLUMN_OWED_PRESSURE_IMPULSE,    /* N s  of the pressure gradient on the volume of the
                                             particle, not passed on yet; by the coupling */
+    DEM_COLUMN_OWN_WAKE,                 /* 9: part of the fluid velocity that is the particle's
+                                            own wake [m/s]: body effects see the rest; then what
+                                            the coupling computes it of */
     DEM_COLUMN_VOIDAGE_FACTOR_FIRST,     /* 1    voidage factors of drag laws in this window, */
     DEM_COLUMN_VOIDAGE_FACTOR_SECOND,    /*      functions of the fluid alone, laws/batch.h */
     DEM_COLUMN_ADDED_MASS,               /* kg   of this window */

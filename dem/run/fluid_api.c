@@ -50,7 +50,8 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .carried_over_impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE),
                             .under_relaxation = dem_column(p, DEM_COLUMN_UNDER_RELAXATION),
                             .owed_pressure_impulse =
-                                dem_column(p, DEM_COLUMN_OWED_PRESSURE_IMPULSE)};
+                                dem_column(p, DEM_COLUMN_OWED_PRESSURE_IMPULSE),
+                            .own_wake = dem_column(p, DEM_COLUMN_OWN_WAKE)};
     return DEM_OK;
 }
 
