@@ -1,23 +1,12 @@
 /*
  * minimum_fluidisation.c -- minimum fluidisation and terminal velocity, expansion, response time.
  *
- * The drag law of the scene is evaluated through a body batch, so no drag formula is repeated here.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/minimum_fluidisation.h"
-#include "laws/effects.h"
-#include "laws/fluid/drag.h"
 #include <math.h>
-#include <string.h>
 
 static const double pi = 3.14159265358979323846;
-
-enum
-{
-    /* a batch is padded to whole SIMD vectors */
-    ROWS = 8
-};
 
 static double volume(const struct dem_suspension *b)
 {
@@ -45,55 +34,25 @@ double dem_suspension_response_time(const struct dem_suspension *b)
     return b->density*b->diameter*b->diameter/(18.0*b->viscosity);
 }
 
-double dem_suspension_drag(const struct dem_interaction_table *r, const struct dem_suspension *b,
-                           double void_fraction, double u)
-{
-    struct dem_body_batch batch;
-    double coefficient = 0.0;
-
-    memset(&batch, 0, sizeof batch);
-    batch.n = ROWS;
-    for (int c = 0; c < ROWS; c++)
-    {
-        batch.radius[c] = 0.5*b->diameter;
-        batch.volume[c] = volume(b);
-        batch.mass[c] = b->density*volume(b);
-        batch.ux[c] = u;
-        batch.void_fraction[c] = void_fraction;
-        batch.density[c] = b->fluid_density;
-        batch.viscosity[c] = b->viscosity;
-    }
-    for (int k = 0; k < r->bodies.entries; k++)
-    {
-        if (r->bodies.entry[k].effect->drag)
-        {
-            dem_effect_apply_to_bodies(r->bodies.entry[k].effect, r->bodies.entry[k].settings,
-                                       &batch);
-            coefficient = batch.drag[0];
-        }
-    }
-    return coefficient;
-}
-
 /* m/s: the slip at which the drag is `force` [N], by bisection: b u increases with u. */
-static double slip_at(const struct dem_interaction_table *r, const struct dem_suspension *b,
+static double slip_at(const struct dem *d, const struct dem_suspension *b,
                       double void_fraction, double force)
 {
     /* Stokes drag is the smallest */
     double low = 0.0, high = force/(3.0*pi*b->viscosity*b->diameter);
 
-    if (force <= 0.0 || dem_suspension_drag(r, b, void_fraction, high) <= 0.0)
+    if (force <= 0.0 || dem_drag_coefficient(d, b, void_fraction, high) <= 0.0)
     {
         return 0.0;
     }
-    for (int k = 0; k < 60 && dem_suspension_drag(r, b, void_fraction, high)*high < force; k++)
+    for (int k = 0; k < 60 && dem_drag_coefficient(d, b, void_fraction, high)*high < force; k++)
     {
         high *= 2.0;
     }
     for (int k = 0; k < 100; k++)
     {
         const double u = 0.5*(low + high);
-        const int less = dem_suspension_drag(r, b, void_fraction, u)*u < force;
+        const int less = dem_drag_coefficient(d, b, void_fraction, u)*u < force;
 
         low = less ? u : low;
         high = less ? high : u;
@@ -101,21 +60,21 @@ static double slip_at(const struct dem_interaction_table *r, const struct dem_su
     return 0.5*(low + high);
 }
 
-double dem_suspension_fluidisation_velocity(const struct dem_interaction_table *r,
+double dem_suspension_fluidisation_velocity(const struct dem *d,
                                             const struct dem_suspension *b, double void_fraction)
 {
     const double supported =
         b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
 
-    return void_fraction*slip_at(r, b, void_fraction, supported*volume(b)*b->gravity);
+    return void_fraction*slip_at(d, b, void_fraction, supported*volume(b)*b->gravity);
 }
 
-double dem_suspension_terminal_velocity(const struct dem_interaction_table *r,
+double dem_suspension_terminal_velocity(const struct dem *d,
                                         const struct dem_suspension *b)
 {
     const double submerged = b->feels_gradient ? b->density - b->fluid_density : b->density;
 
-    return slip_at(r, b, 1.0, submerged*volume(b)*b->gravity);
+    return slip_at(d, b, 1.0, submerged*volume(b)*b->gravity);
 }
 
 /* 3 pi mu d f u balances the weight less buoyancy */
@@ -129,7 +88,7 @@ double dem_suspension_single_sphere_velocity(const struct dem_suspension *b)
     {
         const double u = 0.5*(low + high);
         const int less =
-            dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
+            dem_single_sphere_drag(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
 
         low = less ? u : low;
         high = less ? high : u;
@@ -137,24 +96,24 @@ double dem_suspension_single_sphere_velocity(const struct dem_suspension *b)
     return 0.5*(low + high);
 }
 
-double dem_suspension_expanded_void_fraction(const struct dem_interaction_table *r,
+double dem_suspension_expanded_void_fraction(const struct dem *d,
                                              const struct dem_suspension *b, double packed,
                                              double U)
 {
     double low = packed, high = 1.0;
 
-    if (dem_suspension_fluidisation_velocity(r, b, low) >= U)
+    if (dem_suspension_fluidisation_velocity(d, b, low) >= U)
     {
         return 0.0;
     }
-    if (dem_suspension_fluidisation_velocity(r, b, high) <= U)
+    if (dem_suspension_fluidisation_velocity(d, b, high) <= U)
     {
         return 1.0;
     }
     for (int k = 0; k < 40; k++)
     {
         const double e = 0.5*(low + high);
-        const int less = dem_suspension_fluidisation_velocity(r, b, e) < U;
+        const int less = dem_suspension_fluidisation_velocity(d, b, e) < U;
 
         low = less ? e : low;
         high = less ? high : e;

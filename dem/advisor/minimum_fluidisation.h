@@ -13,7 +13,7 @@
  *                               the drag itself causes (set II, "model A")
  *   rho_p V |g|                 if it does not
  *
- * and U_mf = e u. The void fraction is measured in the bed as it is (bed_packing.h); where it is not
+ * and U_mf = e u. The void fraction is measured in the bed as it is (dem_bed_void_fraction); where it is not
  * known, or too large for particles that touch, it is Wen and Yu's for spheres, 1/e^3 = 14.
  *
  * A fluidised bed expands until the same balance holds at the superficial velocity U of the fluid.
@@ -39,8 +39,7 @@
 #ifndef DEM_ADVISOR_MINIMUM_FLUIDISATION_H
 #define DEM_ADVISOR_MINIMUM_FLUIDISATION_H
 
-#include "laws/relevance.h"
-#include "laws/interaction_table.h"
+#include "dem_numbers.h"
 
 /* void fraction at minimum fluidisation of a bed that is not known, 14^(-1/3) */
 #define DEM_SUSPENSION_VOID_FRACTION 0.41491326668312173
@@ -50,19 +49,14 @@ double dem_suspension_archimedes(const struct dem_suspension *);
 double dem_suspension_wen_yu_velocity(const struct dem_suspension *);
 double dem_suspension_response_time(const struct dem_suspension *);          /* s    tau */
 
-/* Drag coefficient b [kg/s] of one sphere with the drag law of the scene, 0 without one; u: slip
-   [m/s]. */
-double dem_suspension_drag(const struct dem_interaction_table *, const struct dem_suspension *,
-                           double void_fraction, double u);
-
 /* m/s: superficial U_mf with the drag law of the scene; 0 without one, or if the particles do
    not sink. */
-double dem_suspension_fluidisation_velocity(const struct dem_interaction_table *,
+double dem_suspension_fluidisation_velocity(const struct dem *,
                                             const struct dem_suspension *, double void_fraction);
 
 /* 1: void fraction at which the drag law of the scene balances the bed in a fluid of superficial
    velocity U [m/s]; 0 below the void fraction `packed`, 1 above the terminal velocity. */
-double dem_suspension_expanded_void_fraction(const struct dem_interaction_table *,
+double dem_suspension_expanded_void_fraction(const struct dem *,
                                              const struct dem_suspension *, double packed,
                                              double U);
 
@@ -73,7 +67,7 @@ double dem_suspension_richardson_zaki(const struct dem_suspension *, double U);
 double dem_suspension_single_sphere_velocity(const struct dem_suspension *);
 
 /* m/s: terminal velocity of one sphere with the drag law of the scene; 0 without one. */
-double dem_suspension_terminal_velocity(const struct dem_interaction_table *,
+double dem_suspension_terminal_velocity(const struct dem *,
                                         const struct dem_suspension *);
 
 #endif

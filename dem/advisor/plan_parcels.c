@@ -35,50 +35,40 @@ static void write_limit(struct dem_text *t, double length, double parcels, doubl
 }
 
 /* m: smallest width between planes, of a periodic domain or in a cylinder; 0: unknown */
-static double narrowest(const struct dem_plan *p)
+static double narrowest(const struct dem_scene_numbers *s)
 {
-    const struct dem_walls *const w = &p->state->walls;
-    double smallest = INFINITY;
+    double smallest = s->tube > 0.0 ? s->tube : INFINITY;
 
     for (int axis = 0; axis < 3; axis++)
     {
-        const double width = dem_plan_width(p, axis);
-
-        smallest = width > 0.0 ? fmin(smallest, width) : smallest;
-    }
-    for (int k = 0; k < w->walls; k++)
-    {
-        const int tube = w->wall[k].shape == DEM_SHAPE_CYLINDER && !w->wall[k].outside;
-
-        smallest = tube ? fmin(smallest, 2.0*w->wall[k].radius) : smallest;
+        smallest = s->width[axis] > 0.0 ? fmin(smallest, s->width[axis]) : smallest;
     }
     return isfinite(smallest) ? smallest : 0.0;
 }
 
 void dem_plan_parcels(struct dem_text *t, const struct dem_plan *p)
 {
-    const struct dem_parcels_entry *const parcels = &p->state->interaction_table.parcels;
-    const struct dem_material_inventory *const all = &p->inventory.all;
+    const struct dem_scene_numbers *const s = &p->scene;
     struct dem_suspension grains;
 
-    if (!parcels->used || all->n == 0)
+    if (s->max_parcel_ratio == 0.0 || s->particles == 0.0)
     {
         return;
     }
     (void)dem_plan_suspension(p, &grains);
-    const double n = (double)all->n, grain = grains.diameter, mean = cbrt(all->grains/n);
+    const double n = s->particles, grain = grains.diameter, mean = cbrt(s->grains/n);
 
-    dem_text_add(t, "Parcels\n    ratio %g", parcels->min);
-    if (parcels->max > parcels->min)
+    dem_text_add(t, "Parcels\n    ratio %g", s->min_parcel_ratio);
+    if (s->max_parcel_ratio > s->min_parcel_ratio)
     {
-        dem_text_add(t, " to %g", parcels->max);
+        dem_text_add(t, " to %g", s->max_parcel_ratio);
     }
-    dem_text_add(t, ": %.0f parcels of %.6g grains, of Sauter diameter %.4g m\n", n, all->grains,
+    dem_text_add(t, ": %.0f parcels of %.6g grains, of Sauter diameter %.4g m\n", n, s->grains,
                  grain);
-    write_limit(t, narrowest(p), across, grain, "the narrowest width");
+    write_limit(t, narrowest(s), across, grain, "the narrowest width");
     write_limit(t, p->run.cell, in_cell, grain, "the smallest cell");
     dem_text_add(t,
                  "    against single grains: %.3g times fewer particles, steps up to %.3g times as "
                  "long, %.3g times less processor time\n",
-                 all->grains/n, mean, mean*all->grains/n);
+                 s->grains/n, mean, mean*s->grains/n);
 }

@@ -23,176 +23,98 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
-#include "advisor/biot.h"
-#include "laws/fluid/drag.h"
-#include <float.h>
+#include "advisor/minimum_fluidisation.h"
+#include "core/error.h"
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 static const double pi = 3.14159265358979323846;
 
 /* ---- the numbers ---------------------------------------------------------------------------------------------- */
 
-static double length(const double v[3])
-{
-    return sqrt(v[0]*v[0] + v[1]*v[1] + v[2]*v[2]);
-}
-
 /* m3: volume of a domain that is closed on all sides; 0 unknown */
 static double domain_volume(const struct dem_plan *p)
 {
-    return p->run.volume > 0.0 ? p->run.volume
-                               : dem_plan_width(p, 0)*dem_plan_width(p, 1)*dem_plan_width(p, 2);
+    const double *const w = p->scene.width;
+
+    return p->run.volume > 0.0 ? p->run.volume : w[0]*w[1]*w[2];
 }
 
 /* m: smallest width between planes; 0 if no axis is bounded by planes */
-static double narrowest(const struct dem_plan *p)
+static double narrowest(const struct dem_scene_numbers *s)
 {
     double smallest = INFINITY;
 
     for (int axis = 0; axis < 3; axis++)
     {
-        const double w = p->state->domain.periodic[axis] ? 0.0 : dem_plan_width(p, axis);
+        const double w = s->periodic[axis] ? 0.0 : s->width[axis];
 
         smallest = w > 0.0 ? fmin(smallest, w) : smallest;
     }
     return isfinite(smallest) ? smallest : 0.0;
 }
 
-/* The effect in use of a stage, NULL without one. */
-static const struct dem_effect *effect_at(const struct dem_plan *p, enum dem_stage stage)
-{
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
-
-    for (int k = 0; k < r->chosen; k++)
-    {
-        if (r->effect[k]->stage == stage)
-        {
-            return r->effect[k];
-        }
-    }
-    return NULL;
-}
-
-/* A number of the effect of a stage; not a number without one, or if it has no such setting. */
-static double number_at(const struct dem_plan *p, enum dem_stage stage, const char *entry)
-{
-    const struct dem_effect *const effect = effect_at(p, stage);
-    const void *const settings = effect ? dem_regime_settings(p, effect) : NULL;
-    const struct dem_setting *const f =
-        settings && effect->settings ? dem_settings_find(effect->settings, entry) : NULL;
-
-    return f ? *(const double *)(const void *)((const char *)settings + f->offset) : NAN;
-}
-
-/* The same, 0 in place of not a number. */
-static double number_or_zero(const struct dem_plan *p, enum dem_stage stage, const char *entry)
-{
-    const double number = number_at(p, stage, entry);
-
-    return isgreater(number, 0.0) ? number : 0.0;
-}
-
-static int is_adhesive(const struct dem_plan *p)
-{
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
-    int adhesive = 0;
-
-    for (int k = 0; r->classes > 0 && k < r->list[0].entries; k++)
-    {
-        const struct dem_effect_entry *const entry = &r->list[0].entry[k];
-
-        adhesive |= entry->effect->adhesive && entry->effect->adhesive(entry->settings);
-    }
-    return adhesive;
-}
-
-static int with_drag(const struct dem_interaction_table *r)
-{
-    int drag = 0;
-
-    for (int k = 0; k < r->chosen; k++)
-    {
-        drag |= r->effect[k]->drag != DEM_DRAG_NONE;
-    }
-    return drag;
-}
-
 static void set_fluid_numbers(const struct dem_plan *p, struct dem_regime *g)
 {
-    const struct dem_uniform_fluid *const given = &p->scene->fluid;
+    const struct dem_scene_numbers *const n = &p->scene;
     const struct dem_suspension *const b = &g->suspension;
     const double stokes = dem_suspension_response_time(b),
-                 sinks = with_drag(&p->state->interaction_table)
-                             ? dem_suspension_terminal_velocity(&p->state->interaction_table, b)
-                             : 0.0;
+                 sinks = n->drag_law ? dem_suspension_terminal_velocity(p->d, b) : 0.0;
 
-    g->flow = given->given ? length(given->velocity) : p->run.speed;
-    g->vorticity = given->given ? length(given->vorticity) : p->run.vorticity;
-    g->stress = given->given ? length(given->stress) : 0.0;
+    g->flow = n->uniform ? n->fluid_speed : p->run.speed;
+    g->vorticity = n->uniform ? n->vorticity : p->run.vorticity;
+    g->stress = n->stress;
     /* particles lighter than the fluid rise with the slip of a single sphere */
     g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : dem_suspension_single_sphere_velocity(b)
                                     : 0.0,
                    g->flow);
     g->reynolds = b->fluid_density*g->slip*b->diameter/b->viscosity;
-    g->drag_factor = dem_drag_single_sphere(g->reynolds);
+    g->drag_factor = dem_single_sphere_drag(g->reynolds);
     g->response = stokes/g->drag_factor;
     g->stokes = g->mass*g->speed/(6.0*pi*b->viscosity*g->radius*g->radius);
     g->collision_speed =
         g->slip > 0.0 && g->speed > 0.0 ? fmin(g->slip, g->speed) : fmax(g->slip, g->speed);
     g->collision_time =
-        g->solid_fraction > 0.0 && g->collision_speed > 0.0 && p->inventory.all.n > 1
+        g->solid_fraction > 0.0 && g->collision_speed > 0.0 && n->particles > 1.0
             ? b->diameter/(6.0*g->solid_fraction*g->collision_speed)
             : 0.0;
 }
 
 /* m/s: slowest impact that yields, of two equal spheres with the modulus of the scene (too large
    if that is softened); 0 if no material has a yield strength. */
-static double yield_speed(const struct dem_interaction_table *r, const struct dem_regime *g)
+static double yield_speed(double yield_strength, const struct dem_regime *g)
 {
-    double smallest = INFINITY;
-
-    for (int m = 0; m < r->materials; m++)
-    {
-        smallest = r->material[m].yield_strength > 0.0
-                       ? fmin(smallest, r->material[m].yield_strength)
-                       : smallest;
-    }
-    return isfinite(smallest) && g->modulus > 0.0
+    return yield_strength > 0.0 && g->modulus > 0.0
                ? sqrt(16.0/15.0*g->modulus*pow(g->radius, 3.0)/g->mass*
-                      pow(1.6*pi*smallest/(2.0*g->modulus), 5.0))
+                      pow(1.6*pi*yield_strength/(2.0*g->modulus), 5.0))
                : 0.0;
 }
 
 void dem_regime_set(const struct dem_plan *p, struct dem_regime *g)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const struct dem_scene_numbers *const n = &p->scene;
 
-    *g = (struct dem_regime){.uniform = p->scene->fluid.given,
-                             .particles = (double)p->inventory.all.n,
-                             .cell = p->run.cell};
+    *g = (struct dem_regime){.uniform = n->uniform,
+                             .particles = n->particles,
+                             .cell = p->run.cell,
+                             .modulus = n->modulus,
+                             .exponent = n->exponent,
+                             .speed = n->impact_speed,
+                             .friction = n->friction,
+                             .has_restitution = isfinite(n->restitution) != 0,
+                             .adhesive = n->adhesive};
     g->fluid = dem_plan_suspension(p, &g->suspension);
-    g->solid_fraction = domain_volume(p) > 0.0 ? p->inventory.all.volume/domain_volume(p) : 0.0;
-    g->width = narrowest(p);
+    g->solid_fraction = domain_volume(p) > 0.0 ? n->volume/domain_volume(p) : 0.0;
+    g->width = narrowest(n);
     g->mass = 0.5*g->suspension.density*pi/6.0*pow(g->suspension.diameter, 3.0);
     g->weight = 2.0*g->mass*g->suspension.gravity;
     g->radius = 0.25*g->suspension.diameter;
-    g->modulus = r->classes > 0 ? r->list[0].pair.reduced_modulus : 0.0;
-    g->exponent = effect_at(p, DEM_STAGE_NORMAL) ? effect_at(p, DEM_STAGE_NORMAL)->exponent : 0.0;
-    g->speed = number_or_zero(p, DEM_STAGE_NORMAL, "impactSpeed");
-    g->friction = number_or_zero(p, DEM_STAGE_TANGENT, "friction");
-    g->has_restitution = isfinite(number_at(p, DEM_STAGE_DAMP, "restitution")) != 0;
-    g->restitution = g->has_restitution ? number_at(p, DEM_STAGE_DAMP, "restitution")
-                     : effect_at(p, DEM_STAGE_DAMP) ? 0.0
-                                                    : 1.0;
-    g->adhesive = is_adhesive(p);
+    g->restitution = g->has_restitution ? n->restitution : n->damped ? 0.0 : 1.0;
     g->overlap =
         g->modulus > 0.0
             ? pow(15.0*g->mass*g->speed*g->speed/(16.0*g->modulus*pow(g->radius, 3.0)),
                   0.4)
             : 0.0;
-    g->yield_speed = yield_speed(r, g);
+    g->yield_speed = yield_speed(n->yield_strength, g);
     if (g->fluid)
     {
         set_fluid_numbers(p, g);
@@ -224,7 +146,7 @@ static void write_flow(struct dem_text *t, const struct dem_plan *p, const struc
         dem_text_add(t, ", of particles in the flow %.3g", g->response*g->flow/g->width);
     }
     dem_text_add(t, "\n    relaxation time %.3g s at that Reynolds number, %.3g steps", g->response,
-                 g->response/p->step);
+                 g->response/p->scene.step);
     if (p->run.window > 0.0)
     {
         dem_text_add(t, ", %.3g fluid steps", g->response/p->run.window);
@@ -243,7 +165,7 @@ static void write_flow(struct dem_text *t, const struct dem_plan *p, const struc
    of single cells, and 3 to 5 common practice. */
 static void write_cells(struct dem_text *t, const struct dem_plan *p, const struct dem_regime *g)
 {
-    const double cell = p->run.cell/dem_plan_sauter_diameter(p);
+    const double sauter = p->scene.volume/(pi/6.0*p->scene.squares), cell = p->run.cell/sauter;
 
     if (cell > 0.0)
     {
@@ -270,30 +192,31 @@ static void write_cells(struct dem_text *t, const struct dem_plan *p, const stru
     }
 }
 
-static void write_contacts(struct dem_text *t, const struct dem_plan *p, const struct dem_regime *g)
+static void write_biot(struct dem_text *t, const struct dem_plan *p, const struct dem_regime *g)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
     struct dem_biot biot;
-    char line[200];
 
-    dem_biot_number(p, g, &biot);
+    dem_biot_number(p->d, g->suspension.diameter, g->slip, &biot);
     if (biot.number > 0.0)
     {
-        dem_text_add(t, "    Biot number of %s %s%s %.2g: %s %g\n", biot.material->name,
-                     biot.other ? "in contact with " : "in the fluid",
-                     biot.other ? biot.other->name : "", biot.number,
+        dem_text_add(t, "    Biot number of %s %s%s %.2g: %s %g\n", biot.material,
+                     biot.other ? "in contact with " : "in the fluid", biot.other ? biot.other : "",
+                     biot.number,
                      biot.number > DEM_BIOT_LIMIT
                          ? "the temperature in a particle is not uniform as assumed, the limit is"
                          : "the temperature in a particle is uniform below",
                      DEM_BIOT_LIMIT);
     }
+}
 
-    for (int k = 0; k < r->chosen; k++)
+static void write_contacts(struct dem_text *t, const struct dem_plan *p, const struct dem_regime *g)
+{
+    struct dem_effect_info effect;
+    char line[200];
+
+    for (int k = 0; dem_effect_info(p->d, k, &effect); k++)
     {
-        const struct dem_effect *const e = r->effect[k];
-        const void *const settings = e->describe ? dem_regime_settings(p, e) : NULL;
-
-        if (settings && e->describe(settings, g, line, sizeof line))
+        if (dem_effect_line(p->d, k, g, line, sizeof line))
         {
             dem_text_add(t, "    %s\n", line);
         }
@@ -342,28 +265,28 @@ static void write_verdict(struct dem_text *t, const struct dem_verdict *v)
     dem_text_add(t, "\n");
 }
 
-int dem_plan_regime(struct dem_text *t, struct dem_plan *p)
+int dem_plan_regime(struct dem_text *t, const struct dem_plan *p)
 {
+    struct dem_verdicts verdicts;
     struct dem_regime g;
 
-    p->verdicts.n = 0;
-    if (p->inventory.all.n == 0)
+    if (p->scene.particles == 0.0)
     {
         return DEM_OK;
     }
     dem_regime_set(p, &g);
-    dem_verdicts_add(p, &g);
-    DEM_TRY(dem_verdicts_measure_costs(p));
+    DEM_TRY(dem_verdicts(p, &g, &verdicts));
     dem_text_add(t, "Regime (needed: more than 1 %%)\n");
     if (g.fluid)
     {
         write_flow(t, p, &g);
         write_cells(t, p, &g);
     }
+    write_biot(t, p, &g);
     write_contacts(t, p, &g);
-    for (int k = 0; k < p->verdicts.n; k++)
+    for (int k = 0; k < verdicts.n; k++)
     {
-        write_verdict(t, &p->verdicts.verdict[k]);
+        write_verdict(t, &verdicts.verdict[k]);
     }
     return DEM_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * verdicts.c -- which effects a scene needs: the relevance that each effect states (laws/relevance.h),
+ * verdicts.c -- which effects a scene needs: the relevance that each effect states (dem_effect_relevance),
  * in the order of mechanisms, and the drag laws, judged by their range of validity.
  *
  * Drag, the law in use or one proposed:
@@ -21,32 +21,28 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
-#include "laws/effects.h"
-#include "laws/fluid/drag.h"
+#include "core/error.h"
 #include <math.h>
 #include <stdio.h>
 
 static const double threshold = 0.01, pi = 3.14159265358979323846;
 
-static struct dem_verdict *add(struct dem_plan *p, const struct dem_effect *effect,
+static struct dem_verdict *add(struct dem_verdicts *all, const struct dem_effect_info *effect,
                                const struct dem_relevance *r)
 {
-    const int on = dem_interaction_table_has_effect(&p->state->interaction_table, effect->name);
-    struct dem_verdicts *const all = &p->verdicts;
-
-    if ((!on && !(r->fraction > r->threshold)) || all->n == DEM_MAX_VERDICTS)
+    if ((!effect->in_use && !(r->fraction > r->threshold)) || all->n == DEM_MAX_VERDICTS)
     {
         return NULL;
     }
     struct dem_verdict *const v = &all->verdict[all->n++];
 
     *v = (struct dem_verdict){.effect = effect->name,
-                              .word = !on ? DEM_MISSING
+                              .word = !effect->in_use ? DEM_MISSING
                                       : r->fraction > r->threshold ? DEM_NEEDED
                                                                    : DEM_NEGLIGIBLE,
                               .fraction = r->fraction,
                               .cost = NAN,
-                              .missing_setting = on ? NULL : r->missing_setting};
+                              .missing_setting = effect->in_use ? NULL : r->missing_setting};
     snprintf(v->why, sizeof v->why, "%s", r->quantity);
     return v;
 }
@@ -55,29 +51,27 @@ static struct dem_verdict *add(struct dem_plan *p, const struct dem_effect *effe
 
 /* kg/s: drag coefficient at a slip, of the law in use at the mean void fraction, without one by
    Schiller and Naumann. */
-static double drag_coefficient(const struct dem_plan *p, const struct dem_regime *g,
-                               const struct dem_effect *law, double u)
+static double drag_coefficient(const struct dem_plan *p, const struct dem_regime *g, double u)
 {
     const struct dem_suspension *const b = &g->suspension;
 
-    return law ? dem_suspension_drag(&p->state->interaction_table, b,
-                                     1.0 - fmin(g->solid_fraction, 0.64), u)
+    return p->scene.drag_law
+               ? dem_drag_coefficient(p->d, b, 1.0 - fmin(g->solid_fraction, 0.64), u)
                : 3.0*pi*b->viscosity*b->diameter*
-                     dem_drag_single_sphere(b->fluid_density*u*b->diameter/b->viscosity);
+                     dem_single_sphere_drag(b->fluid_density*u*b->diameter/b->viscosity);
 }
 
 /* Drag over weight at the largest slip given in the scene; not a number: unknown. */
-static double drag_fraction(const struct dem_plan *p, const struct dem_regime *g,
-                            const struct dem_effect *law)
+static double drag_fraction(const struct dem_plan *p, const struct dem_regime *g)
 {
     const double u = fmax(g->speed, g->flow);
 
     if (g->weight > 0.0)
     {
-        return u > 0.0 ? drag_coefficient(p, g, law, u)*u/g->weight : NAN;
+        return u > 0.0 ? drag_coefficient(p, g, u)*u/g->weight : NAN;
     }
     return p->run.duration > 0.0
-               ? -expm1(-p->run.duration*drag_coefficient(p, g, law, g->slip)/(2.0*g->mass))
+               ? -expm1(-p->run.duration*drag_coefficient(p, g, g->slip)/(2.0*g->mass))
                : NAN;
 }
 
@@ -87,49 +81,64 @@ static double suspension_excess(const struct dem_regime *g)
     return pow(1.0 - fmin(g->solid_fraction, 0.64), -3.65) - 1.0;
 }
 
-/* Drag law proposed for a suspension. */
-static const struct dem_effect *suspension_law(const struct dem_regime *g)
+/* The first drag law of the library with this range of validity. */
+static struct dem_effect_info drag_law(const struct dem_plan *p, enum dem_drag range)
 {
-    return dem_effects_drag_law(g->solid_fraction > 0.2 ? DEM_DRAG_BED : DEM_DRAG_SUSPENSION);
-}
+    struct dem_effect_info law = {.name = NULL};
 
-static const struct dem_effect *drag_in_use(const struct dem_interaction_table *r)
-{
-    const struct dem_effect *law = NULL;
-
-    for (int k = 0; k < r->chosen; k++)
+    for (int k = 0; law.drag != range && dem_effect_info(p->d, k, &law); k++)
     {
-        law = r->effect[k]->drag ? r->effect[k] : law;
     }
     return law;
 }
 
-/* A single-sphere law used in a suspension, or one of creeping flow beyond it. */
-static void judge_range(struct dem_plan *p, const struct dem_regime *g,
-                        const struct dem_effect *law)
+/* Drag law proposed for a suspension. */
+static struct dem_effect_info suspension_law(const struct dem_plan *p, const struct dem_regime *g)
 {
-    const struct dem_effect *other = NULL;
+    return drag_law(p, g->solid_fraction > 0.2 ? DEM_DRAG_BED : DEM_DRAG_SUSPENSION);
+}
+
+/* The drag law in use; its name is NULL without one. */
+static struct dem_effect_info drag_in_use(const struct dem_plan *p)
+{
+    struct dem_effect_info law;
+
+    for (int k = 0; dem_effect_info(p->d, k, &law); k++)
+    {
+        if (law.drag && law.in_use)
+        {
+            return law;
+        }
+    }
+    return (struct dem_effect_info){.name = NULL};
+}
+
+/* A single-sphere law used in a suspension, or one of creeping flow beyond it. */
+static void judge_range(const struct dem_plan *p, const struct dem_regime *g,
+                        const struct dem_effect_info *law, struct dem_verdicts *all)
+{
+    struct dem_effect_info other = {.name = NULL};
     struct dem_relevance v = {.threshold = threshold};
     char quantity[200];
 
     if ((law->drag == DEM_DRAG_CREEPING || law->drag == DEM_DRAG_SINGLE) &&
         suspension_excess(g) > threshold)
     {
-        other = suspension_law(g);
+        other = suspension_law(p, g);
         v.fraction = suspension_excess(g);
         v.quantity =
             "of the drag at this solid fraction is missing in a single-sphere law (Wen and Yu 1966)";
     }
     else if (law->drag == DEM_DRAG_CREEPING)
     {
-        other = dem_effects_drag_law(DEM_DRAG_SINGLE);
+        other = drag_law(p, DEM_DRAG_SINGLE);
         v.fraction = g->drag_factor - 1.0;
         v.quantity = quantity;
         snprintf(quantity, sizeof quantity,
                  "of the drag at this Reynolds number is missing in %s (%s)", law->name,
-                 other->source);
+                 other.source);
     }
-    struct dem_verdict *const verdict = other ? add(p, other, &v) : NULL;
+    struct dem_verdict *const verdict = other.name ? add(all, &other, &v) : NULL;
 
     if (verdict)
     {
@@ -137,82 +146,74 @@ static void judge_range(struct dem_plan *p, const struct dem_regime *g,
     }
 }
 
-static void judge_drag(struct dem_plan *p, const struct dem_regime *g)
+static void judge_drag(const struct dem_plan *p, const struct dem_regime *g,
+                       struct dem_verdicts *all)
 {
-    const struct dem_effect *const law = drag_in_use(&p->state->interaction_table);
-    const struct dem_effect *const proposed = suspension_excess(g) > threshold
-                                                  ? suspension_law(g)
-                                                  : dem_effects_drag_law(DEM_DRAG_SINGLE);
+    const struct dem_effect_info law = drag_in_use(p);
+    const struct dem_effect_info proposed = suspension_excess(g) > threshold
+                                                ? suspension_law(p, g)
+                                                : drag_law(p, DEM_DRAG_SINGLE);
     char quantity[200];
-    const struct dem_relevance v = {.fraction = drag_fraction(p, g, law),
+    const struct dem_relevance v = {.fraction = drag_fraction(p, g),
                                     .threshold = threshold,
                                     .quantity = quantity};
 
     snprintf(quantity, sizeof quantity, "of %s (%s)",
              g->weight > 0.0 ? "the weight is drag, at the speed of the fluid or of impacts"
                              : "a slip has decayed when the run ends",
-             law ? law->source : "Schiller and Naumann 1933");
+             law.name ? law.source : "Schiller and Naumann 1933");
     if (isfinite(v.fraction))
     {
-        (void)add(p, law ? law : proposed, &v);
+        (void)add(all, law.name ? &law : &proposed, &v);
     }
-    if (law)
+    if (law.name)
     {
-        judge_range(p, g, law);
-    }
-}
-
-/* ---- all other effects ----------------------------------------------------------------------- */
-
-/* The effect in use that another one of its kind would replace; NULL: none, or both may be used. */
-static const char *replaced_by(const struct dem_interaction_table *r,
-                               const struct dem_effect *effect)
-{
-    for (int k = 0; k < r->chosen; k++)
-    {
-        if (r->effect[k]->stage == effect->stage &&
-            (effect->stage == DEM_STAGE_NORMAL || effect->stage == DEM_STAGE_DAMP))
-        {
-            return r->effect[k]->name;
-        }
-    }
-    return NULL;
-}
-
-static void judge(struct dem_plan *p, const struct dem_regime *g, const struct dem_effect *effect)
-{
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
-    struct dem_relevance v = {.threshold = threshold};
-
-    if (!dem_interaction_table_excludes(r, effect) &&
-        effect->relevance(dem_regime_settings(p, effect), g, &v))
-    {
-        struct dem_verdict *const verdict = add(p, effect, &v);
-
-        if (verdict && verdict->word == DEM_MISSING)
-        {
-            verdict->replaces = replaced_by(r, effect);
-        }
+        judge_range(p, g, &law, all);
     }
 }
 
-void dem_verdicts_add(struct dem_plan *p, const struct dem_regime *g)
-{
-    if (g->fluid)
-    {
-        judge_drag(p, g);
-    }
-    for (enum dem_mechanism m = 0; m < DEM_MECHANISMS; m++)
-    {
-        const int known = m == DEM_MECHANISM_REPULSION ||
-                          (m < DEM_MECHANISM_REPULSION ? g->fluid : g->modulus > 0.0);
+/* ---- all effects ----------------------------------------------------------------------------- */
 
-        for (const struct dem_effect *const *e = dem_effects; *e && known; e++)
+static void judge(const struct dem_plan *p, const struct dem_regime *g, enum dem_mechanism m,
+                  struct dem_verdicts *all)
+{
+    struct dem_effect_info effect;
+    struct dem_relevance v;
+
+    for (int k = 0; dem_effect_info(p->d, k, &effect); k++)
+    {
+        if (effect.mechanism == m && !effect.excluded && dem_effect_relevance(p->d, k, g, &v))
         {
-            if ((*e)->relevance && (*e)->mechanism == m)
+            struct dem_verdict *const verdict = add(all, &effect, &v);
+
+            if (verdict && verdict->word == DEM_MISSING)
             {
-                judge(p, g, *e);
+                verdict->replaces = effect.replaces;
             }
         }
     }
+}
+
+int dem_verdicts(const struct dem_plan *p, const struct dem_regime *g, struct dem_verdicts *all)
+{
+    all->n = 0;
+    if (g->fluid)
+    {
+        judge_drag(p, g, all);
+    }
+    for (enum dem_mechanism m = 0; m < DEM_MECHANISMS; m++)
+    {
+        if (m == DEM_MECHANISM_REPULSION ||
+            (m < DEM_MECHANISM_REPULSION ? g->fluid : g->modulus > 0.0))
+        {
+            judge(p, g, m, all);
+        }
+    }
+    for (int k = 0; k < all->n; k++)
+    {
+        struct dem_verdict *const v = &all->verdict[k];
+
+        DEM_TRY(v->word == DEM_NEGLIGIBLE ? dem_effect_cost(p->d, v->effect, &v->cost) : DEM_OK);
+    }
+    return DEM_OK;
 }

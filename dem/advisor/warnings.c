@@ -4,10 +4,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/warnings.h"
-#include "advisor/biot.h"
 #include "advisor/regime.h"
-#include "core/vec.h"
-#include "records/totals.h"
+#include "core/error.h"
 #include <math.h>
 #include <string.h>
 
@@ -23,8 +21,7 @@ struct list
     struct dem_text *t;
     const struct dem_plan *p;
     struct dem_regime regime;
-    int coupled, n;
-    double speed;                /* m/s  fastest particle */
+    int n;
     double step_cost;            /* s  of a particle and step; 0: not measured yet */
 };
 
@@ -36,39 +33,32 @@ static void begin(struct list *w)
 
 static int has_particles(const struct list *w)
 {
-    return w->p->inventory.all.n > 0 || w->p->scene->streams.streams > 0;
+    return w->p->scene.particles > 0.0 || w->p->scene.streams > 0;
 }
 
 /* ---- walls, gravity, drag -------------------------------------------------------------------- */
 
-static int has_law(const struct list *w, const struct dem_wall *wall)
-{
-    return dem_interaction_table_wall_has_law(&w->p->state->interaction_table,
-                                              wall->frictionless ? DEM_PARTNER_FRICTIONLESS
-                                                                 : DEM_PARTNER_WALL,
-                                              wall->material);
-}
-
 static void warn_of_walls(struct list *w)
 {
-    const struct dem_walls *const walls = &w->p->state->walls;
+    struct dem *const d = w->p->d;
+    const int walls = dem_wall_count(d);
     int listed = 0, all = 0;
 
-    for (int k = 0; k < walls->walls; k++)
+    for (int k = 0; k < walls; k++)
     {
-        all += !has_law(w, &walls->wall[k]);
+        all += !dem_wall_has_law(d, k);
     }
-    if (all == 0 || !has_particles(w))
+    if (all == 0)
     {
         return;
     }
     begin(w);
     dem_text_add(w->t, "no contact law acts between particles and wall%s", all > 1 ? "s" : "");
-    for (int k = 0; k < walls->walls && listed < 8; k++)
+    for (int k = 0; k < walls && listed < 8; k++)
     {
-        if (!has_law(w, &walls->wall[k]))
+        if (!dem_wall_has_law(d, k))
         {
-            dem_text_add(w->t, "%s %s", listed++ ? "," : "", walls->wall[k].name);
+            dem_text_add(w->t, "%s %s", listed++ ? "," : "", dem_wall_name(d, k));
         }
     }
     dem_text_add(
@@ -81,7 +71,7 @@ static void warn_of_walls(struct list *w)
 /* Contacts of a driven particle with what is not free either are not computed. */
 static void warn_of_driven(struct list *w)
 {
-    if (dem_totals_any_driven(w->p->state) && w->p->state->walls.walls > 0)
+    if (w->p->scene.driven && dem_wall_count(w->p->d) > 0)
     {
         begin(w);
         dem_text_add(
@@ -94,11 +84,8 @@ static void warn_of_driven(struct list *w)
 
 static void warn_of_gravity(struct list *w)
 {
-    const char *const entry = w->coupled ? "constant/g" : "effects/gravity/acceleration";
-    double g[3];
-
-    dem_interaction_table_gravity(&w->p->state->interaction_table, g);
-    const double size = dem_vec_norm(g);
+    const char *const entry = w->p->scene.coupled ? "constant/g" : "effects/gravity/acceleration";
+    const double *const g = w->p->scene.gravity, size = dem_plan_gravity(w->p);
     const double up = fabs(g[1]) > fabs(g[2]) ? g[1] : g[2];
 
     if (size == 0.0)
@@ -119,20 +106,9 @@ static void warn_of_gravity(struct list *w)
     }
 }
 
-static int has_drag(const struct dem_interaction_table *r)
-{
-    int drag = 0;
-
-    for (int k = 0; k < r->chosen; k++)
-    {
-        drag |= r->effect[k]->drag != DEM_DRAG_NONE;
-    }
-    return drag;
-}
-
 static void warn_of_drag(struct list *w)
 {
-    if ((w->coupled || w->p->scene->fluid.given) && !has_drag(&w->p->state->interaction_table))
+    if ((w->p->scene.coupled || w->p->scene.uniform) && !w->p->scene.drag_law)
     {
         begin(w);
         dem_text_add(
@@ -144,24 +120,19 @@ static void warn_of_drag(struct list *w)
 
 /* ---- materials ------------------------------------------------------------------------------- */
 
-static int is_present(const struct dem_plan *p, int material)
-{
-    return p->state->interaction_table.max_radius[material] > 0.0;
-}
-
 static void warn_of_densities(struct list *w)
 {
-    const struct dem_interaction_table *const r = &w->p->state->interaction_table;
+    struct dem_scene_material m;
 
-    for (int m = 0; m < r->materials; m++)
+    for (int k = 0; dem_scene_material(w->p->d, k, &m); k++)
     {
-        if (is_present(w->p, m) && r->material[m].density < min_density)
+        if (m.present && m.density < min_density)
         {
             begin(w);
             dem_text_add(
                 w->t,
                 "materials/%s/density is %g kg/m3; the unit is kg/m3, 2500 for glass: change it unless they are that light\n",
-                r->material[m].name, r->material[m].density);
+                m.name, m.density);
         }
     }
 }
@@ -169,19 +140,14 @@ static void warn_of_densities(struct list *w)
 /* s: processor time of a particle and step. Collective at its first call. */
 static int measure(struct list *w)
 {
-    struct dem_step_cost cost;
+    struct dem_run_cost cost;
 
-    if (w->step_cost == 0.0 && w->p->inventory.all.n > 0)
+    if (w->step_cost == 0.0 && w->p->scene.particles > 0.0)
     {
-        DEM_TRY(dem_step_cost_measure(w->p->state, &w->p->inventory, w->p->step, &cost));
+        DEM_TRY(dem_run_cost(w->p->d, &cost));
         w->step_cost = cost.step;
     }
     return DEM_OK;
-}
-
-static double particles(const struct list *w)
-{
-    return (double)w->p->inventory.all.n;
 }
 
 /* ", 3 h of processor time" for that many steps */
@@ -190,32 +156,30 @@ static void add_time(struct list *w, double steps)
     if (w->step_cost > 0.0)
     {
         dem_text_add(w->t, ", %s of processor time for %.0f particles",
-                     dem_text_time(steps*particles(w)*w->step_cost), particles(w));
+                     dem_text_time(steps*w->p->scene.particles*w->step_cost), w->p->scene.particles);
     }
 }
 
 /* Contact times fall with the modulus as E^-2/5 (Hertz), Rayleigh times as E^-1/2: 2/5 is said. */
 static int warn_of_moduli(struct list *w)
 {
-    const struct dem_interaction_table *const r = &w->p->state->interaction_table;
-    const double steps = w->p->run.duration/w->p->step, soft = 1e7;
+    const double step = w->p->scene.step, steps = w->p->run.duration/step, soft = 1e7;
+    struct dem_scene_material m;
 
-    for (int m = 0; m < r->materials && steps > costly_steps; m++)
+    for (int k = 0; steps > costly_steps && dem_scene_material(w->p->d, k, &m); k++)
     {
-        const double modulus = r->material[m].youngs_modulus;
-
-        if (is_present(w->p, m) && modulus > max_modulus)
+        if (m.present && m.youngs_modulus > max_modulus)
         {
             DEM_TRY(measure(w));
             begin(w);
             dem_text_add(w->t,
                          "materials/%s/youngsModulus %g Pa makes the step %.3g s: %.3g steps ahead",
-                         r->material[m].name, modulus, w->p->step, steps);
+                         m.name, m.youngs_modulus, step, steps);
             add_time(w, steps);
             dem_text_add(
                 w->t,
                 "; with %g Pa some %.2g times fewer, and the same motion as long as overlaps stay below 5 %%\n",
-                soft, pow(modulus/soft, 0.4));
+                soft, pow(m.youngs_modulus/soft, 0.4));
         }
     }
     return DEM_OK;
@@ -224,10 +188,8 @@ static int warn_of_moduli(struct list *w)
 /* m/s: largest speed of the fluid, inside or on a patch */
 static double fluid_speed(const struct list *w)
 {
-    const struct dem_uniform_fluid *const given = &w->p->scene->fluid;
-
-    return given->given ? dem_vec_norm(given->velocity)
-                        : fmax(w->p->run.speed, w->p->run.patch_speed);
+    return w->p->scene.uniform ? w->p->scene.fluid_speed
+                               : fmax(w->p->run.speed, w->p->run.patch_speed);
 }
 
 /* ---- fluid step ------------------------------------------------------------------------------ */
@@ -235,7 +197,7 @@ static double fluid_speed(const struct list *w)
 static int warn_of_window(struct list *w)
 {
     const struct dem_run_info *const run = &w->p->run;
-    const double steps = fmax(1.0, ceil(run->window/w->p->step*(1.0 - 1e-12)));
+    const double steps = fmax(1.0, ceil(run->window/w->p->scene.step*(1.0 - 1e-12)));
 
     if (run->window > 0.0 && steps > costly_window && has_particles(w))
     {
@@ -246,7 +208,7 @@ static int warn_of_window(struct list *w)
         if (run->duration > run->window && w->step_cost > 0.0)
         {
             dem_text_add(w->t, ", %s for the run",
-                         dem_text_time(steps*particles(w)*w->step_cost*run->duration/
+                         dem_text_time(steps*w->p->scene.particles*w->step_cost*run->duration/
                                        run->window));
         }
         dem_text_add(
@@ -261,11 +223,10 @@ static double reached(const struct list *w, const char **whose)
 {
     const struct dem_run_info *const run = &w->p->run;
     const struct dem_regime *const g = &w->regime;
-    const int drag = has_drag(&w->p->state->interaction_table);
-    double most = w->speed, gravity[3];
+    const int drag = w->p->scene.drag_law != NULL, present = w->p->scene.particles > 0.0;
+    double most = w->p->scene.max_speed;
 
     *whose = "of a particle";
-    dem_interaction_table_gravity(&w->p->state->interaction_table, gravity);
     if (g->fluid && drag && g->response > 0.0)
     {
         const double taken = fluid_speed(w)*(1.0 - exp(-run->window/g->response));
@@ -273,12 +234,11 @@ static double reached(const struct list *w, const char **whose)
         *whose = taken > most ? "that the fluid gives to a particle in it" : *whose;
         most = fmax(most, taken);
     }
-    const double fall = dem_vec_norm(gravity)*run->window;
+    const double fall = dem_plan_gravity(w->p)*run->window;
     const double terminal = g->fluid && drag && g->slip > 0.0 ? fmin(fall, g->slip) : fall;
 
-    *whose = w->p->inventory.all.n > 0 && terminal > most ? "that gravity gives to a particle in it"
-                                                          : *whose;
-    return w->p->inventory.all.n > 0 ? fmax(most, terminal) : most;
+    *whose = present && terminal > most ? "that gravity gives to a particle in it" : *whose;
+    return present ? fmax(most, terminal) : most;
 }
 
 static void warn_of_crossing(struct list *w)
@@ -302,56 +262,19 @@ static void warn_of_crossing(struct list *w)
 
 /* ---- impact speed ---------------------------------------------------------------------------- */
 
-static double stream_speed(const struct dem_stream *s, double fluid)
+/* An item for each line of dem_impact_text. */
+static int warn_of_impacts(struct list *w)
 {
-    double v[3];
+    const char *line;
 
-    for (int k = 0; k < 3; k++)
+    DEM_TRY(dem_impact_text(w->p->d, fluid_speed(w), &line));
+    for (size_t n; *line; line += n + 1)
     {
-        v[k] = fabs(s->velocity[k]) + s->spread[k];
-    }
-    return s->with_fluid ? fluid : dem_vec_norm(v);
-}
-
-static void warn_of_impact(struct list *w, const char *what, const char *name, double speed)
-{
-    struct dem_impact impact;
-    struct dem_text text = {.text = NULL};
-
-    dem_impact_at(&w->p->state->interaction_table, speed, &impact);
-    if (speed > 0.0 && dem_impact_describe(&impact, speed, &text) && text.text)
-    {
+        n = strcspn(line, "\n");
         begin(w);
-        dem_text_add(w->t, "%s%s: %s\n", what, name, text.text);
+        dem_text_add(w->t, "%.*s\n", (int)n, line);
     }
-    dem_text_free(&text);
-}
-
-static void warn_of_impacts(struct list *w)
-{
-    const struct dem_streams *const s = &w->p->scene->streams;
-    const struct dem_walls *const walls = &w->p->state->walls;
-    const int drag = has_drag(&w->p->state->interaction_table);
-    int fastest = 0;
-
-    warn_of_impact(w, "the fastest particle", "", w->speed);
-    for (int k = 0; k < walls->walls; k++)
-    {
-        fastest = walls->wall[k].push > walls->wall[fastest].push ? k : fastest;
-    }
-    if (walls->walls > 0)
-    {
-        warn_of_impact(w, "walls/", walls->wall[fastest].name, walls->wall[fastest].push);
-    }
-    for (int k = 0; k < s->streams; k++)
-    {
-        warn_of_impact(w, "insert/", s->stream[k].name,
-                       stream_speed(&s->stream[k], fluid_speed(w)));
-    }
-    if (drag && has_particles(w))
-    {
-        warn_of_impact(w, "the fluid", "", fluid_speed(w));
-    }
+    return DEM_OK;
 }
 
 /* ---- heat ------------------------------------------------------------------------------------ */
@@ -360,14 +283,14 @@ static void warn_of_biot(struct list *w)
 {
     struct dem_biot most;
 
-    dem_biot_number(w->p, &w->regime, &most);
+    dem_biot_number(w->p->d, w->regime.suspension.diameter, w->regime.slip, &most);
     if (most.number > DEM_BIOT_LIMIT)
     {
         begin(w);
-        dem_text_add(w->t, "the Biot number of %s ", most.material->name);
+        dem_text_add(w->t, "the Biot number of %s ", most.material);
         if (most.other)
         {
-            dem_text_add(w->t, "in contact with %s", most.other->name);
+            dem_text_add(w->t, "in contact with %s", most.other);
         }
         else
         {
@@ -377,20 +300,23 @@ static void warn_of_biot(struct list *w)
             w->t,
             " is %.2g, above %g: a particle has one temperature here, but heat spreads in it too slowly for that (materials/%s/"
             "conductivity %g W/(m K)); temperatures lag behind\n",
-            most.number, DEM_BIOT_LIMIT, most.material->name, most.material->thermal.conductivity);
+            most.number, DEM_BIOT_LIMIT, most.material, most.conductivity);
     }
 }
 
 /* ---- the list -------------------------------------------------------------------------------- */
 
-int dem_warnings_write(struct dem_text *t, struct dem_plan *p, int coupled, int n,
-                       const char *const *own)
+int dem_warnings_write(struct dem_text *t, const struct dem_plan *p, int n, const char *const *own)
 {
-    struct list w = {.t = t, .p = p, .coupled = coupled};
+    struct list w = {.t = t, .p = p};
+    const char *note;
 
-    dem_inventory_take(p->state, &p->inventory);
     dem_regime_set(p, &w.regime);
-    w.speed = dem_totals_max_speed(p->state);
+    for (int k = 0; (note = dem_scene_note(p->d, k)) != NULL; k++)
+    {
+        begin(&w);
+        dem_text_add(t, "%s\n", note);
+    }
     for (int k = 0; k < n; k++)
     {
         begin(&w);
@@ -404,7 +330,7 @@ int dem_warnings_write(struct dem_text *t, struct dem_plan *p, int coupled, int 
         warn_of_drag(&w);
         warn_of_densities(&w);
         warn_of_biot(&w);
-        warn_of_impacts(&w);
+        DEM_TRY(warn_of_impacts(&w));
         warn_of_crossing(&w);
         DEM_TRY(warn_of_window(&w));
         DEM_TRY(warn_of_moduli(&w));

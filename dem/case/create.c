@@ -113,9 +113,6 @@ void dem_free(struct dem *d)
     }
     dem_memory_free(d->patch);
     dem_memory_free(d->outgoing);
-    dem_text_free(&d->plan);
-    dem_memory_free(d->verdicts);
-    dem_text_free(&d->warnings);
     dem_text_free(&d->impact);
     dem_text_free(&d->profile);
     dem_scene_free(&d->scene);

@@ -74,10 +74,9 @@ struct dem
     struct dem_flow flow[DEM_SNAPSHOT_FLOWS];             /* as returned last by dem_flows */
     double step;                                          /* s  the longest step that dem_advance
                                                              takes */
-    struct dem_text plan, profile, warnings, impact;      /* the texts returned last */
+    struct dem_text profile, impact;                      /* the texts returned last */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */
-    struct dem_verdicts *verdicts;                        /* of that plan; NULL: none yet */
     char heading[DEM_HEADING + 800], fluid_effects[400];  /* "effects: " and all names; names of
                                                              fluid effects */
 };

@@ -27,7 +27,7 @@ int dem_api_insert_new_groups(struct dem_case *);
    on from where they stood. */
 int dem_api_resume_walls(struct dem_case *);
 
-/* New numbers of the facets of the snapshot's walls; the caller frees them. */
+/* New numbers of the facets of the snapshot's walls; the caller frees map->wall. */
 int dem_api_map_facets(struct dem_case *, struct dem_snapshot_facets *);
 
 /* Add a sentence. */

@@ -77,40 +77,25 @@ static int keeps_facets(const struct dem_case *c, const struct dem_wall *of,
 int dem_api_map_facets(struct dem_case *c, struct dem_snapshot_facets *map)
 {
     const struct dem_walls *const w = &c->d->state.walls;
-    int changes = c->d->before.tail.walls != w->walls;
-    int64_t facets = 0;
 
-    *map = (struct dem_snapshot_facets){.n = 0};
+    *map = (struct dem_snapshot_facets){.changed = c->d->before.tail.walls != w->walls};
+    DEM_TRY(DEM_NEW(map->wall, w->walls));
     for (int k = 0; k < w->walls; k++)
     {
-        const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, w->wall[k].name);
-        const int keeps = keeps_facets(c, &w->wall[k], was);
+        const struct dem_wall *const of = &w->wall[k];
+        const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, of->name);
+        const int keeps = keeps_facets(c, of, was);
 
-        changes |= !keeps || was->first_facet != w->wall[k].first_facet;
-        if (was && !keeps && is_same_wall(c, &w->wall[k], was, 0) && !c->new_run)
+        map->changed |= !keeps || was->first_facet != of->first_facet;
+        if (keeps)
+        {
+            map->wall[map->walls++] =
+                (struct dem_facet_range){was->first_facet, was->facets, of->first_facet};
+        }
+        else if (was && is_same_wall(c, of, was, 0) && !c->new_run)
         {
             DEM_TRY(dem_api_note(c->d, "restart: wall %s has other triangles than in the snapshot: it "
                                  "goes on without the history of its contacts", was->name));
-        }
-    }
-    if (!changes)
-    {
-        return DEM_OK;
-    }
-    for (int64_t k = 0; k < c->d->before.tail.walls; k++)
-    {
-        facets += c->d->before.wall[k].facets;
-    }
-    DEM_TRY(DEM_NEW(map->number, facets + 1));
-    map->n = (int)facets;
-    memset(map->number, -1, (size_t)facets*sizeof *map->number);
-    for (int k = 0; k < w->walls; k++)
-    {
-        const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, w->wall[k].name);
-
-        for (int f = 0; keeps_facets(c, &w->wall[k], was) && f < w->wall[k].facets; f++)
-        {
-            map->number[was->first_facet + f] = w->wall[k].first_facet + f;
         }
     }
     return DEM_OK;

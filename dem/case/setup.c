@@ -116,7 +116,7 @@ static int read_contacts(struct dem_case *c)
                     : dem_snapshot_read_contacts(c->load_path, &p->decomposition,
                                                  &p->interaction_table, &p->particles, &facets,
                                                  &p->contacts);
-    dem_memory_free(facets.number);
+    dem_memory_free(facets.wall);
     return status;
 }
 

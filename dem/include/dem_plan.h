@@ -1,6 +1,6 @@
 /*
- * dem_plan.h -- advice on a run before and while it runs: plan, warnings, verdicts on effects; and
- * the library's list of effects as text.
+ * dem_plan.h -- advice on a run before and while it runs: plan and warnings; and the library's list
+ * of effects as text.
  *
  * dem.h has the rules for return values, ownership and collective calls.
  *
@@ -45,14 +45,15 @@ struct dem_run_info
 
 /* Collective; in coupled runs after the fluid columns have been written. A report on the run ahead:
    effects, walls, particles, time step, bed, fluid, memory and run time, as lines of text, the same
-   on all ranks, valid until the next dem_plan or dem_free. Measures steps of as many particles as a
+   on all ranks, valid until the next dem_plan of this thread. Measures steps of as many particles as a
    rank has, at most 250000, for a tenth of a second or 20 steps. No particle moves; views stay
    valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 
 /* Collective, as dem_plan. What of the scene is likely to be a mistake or cannot work, as a
    numbered list under the line WARNINGS, each item with the entry to change; *text is "" when there
-   is nothing. `own`: n sentences of the program, which come first. Valid until the next call. */
+   is nothing. `own`: n sentences of the program, which come first. Valid until the next call of this
+   thread. */
 int dem_warnings(struct dem *, const struct dem_run_info *, int n, const char *const *own,
                  const char **text);
 
@@ -67,35 +68,9 @@ int dem_impact_warning(struct dem *, double overlap, const char **text);
    particles. */
 int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
 
-enum dem_verdict_word
-{
-    DEM_NEEDED,      /* on, and needed */
-    DEM_NEGLIGIBLE,  /* on, but negligible */
-    DEM_MISSING      /* off, though the scene needs it */
-};
-
-/* whether the scene needs one effect: dem_verdicts */
-struct dem_verdict
-{
-    const char *effect;           /* its name */
-    enum dem_verdict_word word;
-    double fraction;              /* 1  its fraction of the quantity that `why` names */
-    double cost;                  /* 1  a negligible effect's fraction of processor time; NaN: not
-                                     measured */
-    char why[200];                /* the reason, and the source of the threshold */
-    const char *replaces;         /* the effect that a DEM_MISSING one replaces, or NULL */
-    const char *missing_setting;  /* the setting that the user must give for it, or NULL */
-};
-
-/* Returns the number of verdicts of the last dem_plan. They are valid until the next one. */
-int dem_verdicts(const struct dem *, const struct dem_verdict **);
-
 /* ---- effects of the library ------------------------------------------------------------------ */
 
 /* None of these needs a case or a run. */
-
-/* The name of effect number k of the library's list, from 0; NULL for another number. */
-const char *dem_effect_name(int k);
 
 /* An effect as text: name, stage, what it does, source, limitation; each setting with unit,
    default, range and meaning. All effects with NULL. DEM_ERROR_INPUT for a name that no effect has.

@@ -14,7 +14,7 @@
 #include "core/settings_table.h"
 #include "laws/batch.h"
 #include "laws/fluid/eddy.h"
-#include "laws/relevance.h"
+#include "dem_numbers.h"
 #include "laws/scalar.h"
 #include <stddef.h>
 
@@ -60,16 +60,6 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_TURBULENCE = 512,                           /* body: the fluid's fluctuation in u */
     DEM_NEEDS_RADII = 1024,                               /* contact with scalars: radii of both */
     DEM_NEEDS_DISSIPATION = 2048                          /* contact: dissipated */
-};
-
-enum dem_drag                                             /* range of validity of a drag law */
-{
-    DEM_DRAG_NONE,                                        /* not a drag law */
-    DEM_DRAG_CREEPING,                                    /* single sphere, Re well below 1 */
-    DEM_DRAG_SINGLE,                                      /* single sphere */
-    DEM_DRAG_SUSPENSION,                                  /* single sphere to suspension */
-    DEM_DRAG_PACKED,                                      /* packed bed */
-    DEM_DRAG_BED                                          /* single sphere to packed bed */
 };
 
 /* how a law acts on parcels (laws/parcels.h) of the ratio l */
@@ -225,7 +215,7 @@ struct dem_effect
 
     /* Whether a scene needs the effect, for `dem plan`: fills in the relevance and returns 1, or
        returns 0 if the numbers do not tell. settings NULL: the effect is not in use. `mechanism`
-       sets the order. Drag laws have none: the advisor judges them by their range. May be NULL:
+       sets the order. Drag laws have none: they are judged by their range. May be NULL:
        nothing is said, for example of friction, which depends on surfaces. */
     int (*relevance)(const void *settings, const struct dem_regime *, struct dem_relevance *);
     enum dem_mechanism mechanism;

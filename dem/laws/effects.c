@@ -33,18 +33,6 @@ const struct dem_effect *dem_effects_find(const char *name)
     return NULL;
 }
 
-const struct dem_effect *dem_effects_drag_law(enum dem_drag range)
-{
-    for (int k = 0; k < EFFECTS; k++)
-    {
-        if (dem_effects[k]->drag == range)
-        {
-            return dem_effects[k];
-        }
-    }
-    return NULL;
-}
-
 int dem_effects_have_scalar(const char *name)
 {
     int found = 0;

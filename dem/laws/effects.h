@@ -63,9 +63,6 @@ extern const struct dem_effect *const dem_effects[];
 /* The effect with this name, or NULL. */
 const struct dem_effect *dem_effects_find(const char *name);
 
-/* The first drag law of the list with that range of validity. */
-const struct dem_effect *dem_effects_drag_law(enum dem_drag);
-
 /* Evaluate a body effect on a batch that is used once only: both prepare_bodies and apply_to_bodies. */
 static inline void dem_effect_apply_to_bodies(const struct dem_effect *effect, const void *settings,
                                               struct dem_body_batch *b)

@@ -96,10 +96,13 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *,
 int dem_snapshot_read_particles(const char *path, struct dem_snapshot *,
                                 const struct dem_decomposition *,
                                 const struct dem_interaction_table *, struct dem_particles *);
-struct dem_snapshot_facets        /* new numbers of facets of walls; all zero: as in the file */
+struct dem_snapshot_facets        /* walls that keep their facets; changed 0: numbers as in the file */
 {
-    int n;
-    int *number;                  /* of each facet of the file, or -1: its contacts are dropped */
+    int changed, walls;
+    struct dem_facet_range        /* first in the file, how many, first of this run */
+    {
+        int64_t was, facets, now;
+    } *wall;                      /* contacts with a facet of no wall here are dropped */
 };
 
 int dem_snapshot_read_contacts(const char *path, const struct dem_decomposition *,

@@ -270,14 +270,23 @@ static int load_contact(struct dem_contacts *c, const struct dem_snapshot_header
 /* 0 when the contact is with a facet that this run does not have. */
 static int renumber(const struct dem_snapshot_facets *facets, struct dem_contact_key *name)
 {
-    if (facets->n > 0 && name->high < 0)
-    {
-        const int64_t was = -1 - name->high;
+    const int64_t was = -1 - name->high;
 
-        name->high = was < facets->n && facets->number[was] >= 0 ? -1 - facets->number[was] : 0;
-        return name->high < 0;
+    if (!facets->changed || name->high >= 0)
+    {
+        return 1;
     }
-    return 1;
+    for (int k = 0; k < facets->walls; k++)
+    {
+        const struct dem_facet_range *const w = &facets->wall[k];
+
+        if (was >= w->was && was < w->was + w->facets)
+        {
+            name->high = -1 - (w->now + was - w->was);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 static int load_contacts(const char *path, struct dem_contacts *c,

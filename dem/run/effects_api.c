@@ -9,18 +9,6 @@
 #include "core/error.h"
 #include "laws/effects.h"
 
-const char *dem_effect_name(int k)
-{
-    const struct dem_effect *const *e = dem_effects;
-
-    while (*e && k > 0)
-    {
-        e++;
-        k--;
-    }
-    return k >= 0 && *e ? (*e)->name : NULL;
-}
-
 int dem_effect_text(const char *effect, const char **text)
 {
     static _Thread_local struct dem_text all;

@@ -7,11 +7,12 @@
  * tablets, and yielding steel (Johnson). Other effects are not reported. A negligible effect is
  * reported with its cost.
  *
- * Tolerance: 1 % of the formulas in advisor/verdicts_*.c, evaluated in another program.
+ * Tolerance: 1 % of the formulas in advisor/verdicts.c, evaluated in another program.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
+#include "advisor/regime.h"
 #include <math.h>
 
 struct claim
@@ -328,9 +329,16 @@ static const char *plan(const struct known *k, struct dem **d)
 
 static void check(const struct known *k, struct dem *d)
 {
-    const struct dem_verdict *v;
-    const int n = dem_verdicts(d, &v);
+    struct dem_plan plan;
+    struct dem_regime regime;
+    struct dem_verdicts verdicts;
     int claims = 0;
+
+    WORLD_TRY(dem_plan_begin(&plan, d, &(struct dem_run_info){.duration = 0.0}));
+    dem_regime_set(&plan, &regime);
+    WORLD_TRY(dem_verdicts(&plan, &regime, &verdicts));
+    const struct dem_verdict *const v = verdicts.verdict;
+    const int n = verdicts.n;
 
     for (; claims < 8 && k->verdicts[claims].effect; claims++)
     {

@@ -13,7 +13,7 @@
 #ifndef DEM_LAWS_FILM_LOSS_H
 #define DEM_LAWS_FILM_LOSS_H
 
-#include "laws/relevance.h"
+#include "dem_numbers.h"
 
 #include <math.h>
 

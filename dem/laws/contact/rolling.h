@@ -16,7 +16,7 @@
 #define DEM_LAWS_ROLLING_H
 
 #include "laws/row.h"
-#include "laws/relevance.h"
+#include "dem_numbers.h"
 
 #include <stddef.h>
 

@@ -8,8 +8,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_SAMPLE_BLOCK_H
-#define DEM_ADVISOR_SAMPLE_BLOCK_H
+#ifndef DEM_STEP_SAMPLE_BLOCK_H
+#define DEM_STEP_SAMPLE_BLOCK_H
 
 #include "step/attached_stores.h"
 #include "ranks/dem_state.h"

@@ -1,10 +1,9 @@
 /*
- * plan_inflow.c -- paragraph of a plan: streams of particles into the domain, and outlets.
+ * flows_text.c -- streams of particles into the domain, and outlets, as text.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/plan.h"
-#include "core/vec.h"
+#include "run/scene_text.h"
 #include <math.h>
 
 static void write_inlet(struct dem_text *t, const struct dem_inlet_shape *m)
@@ -45,13 +44,14 @@ static void write_limits(struct dem_text *t, const struct dem_stream *s)
     }
 }
 
-static void write_stream(struct dem_text *t, const struct dem_plan *p, const struct dem_stream *s)
+static void write_stream(struct dem_text *t, const struct dem_interaction_table *r,
+                         const struct dem_stream *s)
 {
-    const double each = dem_stream_mean_mass(s, &p->state->interaction_table),
+    const double each = dem_stream_mean_mass(s, r),
                  rate = s->by_mass ? s->rate/each : s->rate;
 
     dem_text_add(t, "    %-18s in: %.4g particles a second, %.4g kg/s of %s, diameter %g", s->name,
-                 rate, rate*each, p->state->interaction_table.material[s->material].name,
+                 rate, rate*each, r->material[s->material].name,
                  s->sizes.min);
     if (s->sizes.max > s->sizes.min)
     {
@@ -71,9 +71,9 @@ static void write_stream(struct dem_text *t, const struct dem_plan *p, const str
     dem_text_add(t, "\n");
 }
 
-void dem_plan_inflow(struct dem_text *t, const struct dem_plan *p)
+void dem_flows_text_add(struct dem_text *t, const struct dem *d)
 {
-    const struct dem_streams *const s = &p->scene->streams;
+    const struct dem_streams *const s = &d->scene.streams;
 
     if (s->streams + s->outlets == 0)
     {
@@ -82,7 +82,7 @@ void dem_plan_inflow(struct dem_text *t, const struct dem_plan *p)
     dem_text_add(t, "Streams and outlets\n");
     for (int k = 0; k < s->streams; k++)
     {
-        write_stream(t, p, &s->stream[k]);
+        write_stream(t, &d->state.interaction_table, &s->stream[k]);
     }
     for (int k = 0; k < s->outlets; k++)
     {

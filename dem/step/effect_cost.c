@@ -1,5 +1,5 @@
 /*
- * verdicts_cost.c -- measured cost of the negligible effects of a scene.
+ * effect_cost.c -- the processor time that an effect of a scene takes.
  *
  * Two blocks (sample_block.h), with the effect and without, run in alternation, 10 steps each. The
  * result is the fastest measurement of each, because other load on the machine can only make a
@@ -8,10 +8,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/regime.h"
+#include "step/run_cost.h"
+#include "core/error.h"
 #include "laws/effects.h"
-#include "advisor/sample_block.h"
 #include "records/totals.h"
+#include "step/sample_block.h"
 #include "step/step.h"
 #include <math.h>
 #include <string.h>
@@ -58,40 +59,36 @@ static int alternate(struct dem_sample block[2], double dt, double *share)
     return DEM_OK;
 }
 
-static int measure_share(const struct dem_plan *p, const char *effect, double *share)
+static int measure_share(const struct dem_state *p, const struct dem_inventory *s, double dt,
+                         const char *effect, double *share)
 {
     struct dem_sample block[2];
 
     memset(block, 0, sizeof block);
-    int status = dem_sample_block_make(&block[0], p->state, &p->inventory, DEM_SAMPLE_SMALL, NULL);
+    int status = dem_sample_block_make(&block[0], p, s, DEM_SAMPLE_SMALL, NULL);
 
-    status = status ? status
-                    : dem_sample_block_make(&block[1], p->state, &p->inventory, DEM_SAMPLE_SMALL,
-                                            effect);
-    status = status ? status : alternate(block, p->step, share);
+    status = status ? status : dem_sample_block_make(&block[1], p, s, DEM_SAMPLE_SMALL, effect);
+    status = status ? status : alternate(block, dt, share);
     dem_sample_block_free(&block[0]);
     dem_sample_block_free(&block[1]);
     return status;
 }
 
-int dem_verdicts_measure_costs(struct dem_plan *p)
+int dem_effect_cost_measure(const struct dem_state *p, const struct dem_inventory *s, double dt,
+                            const char *name, double *share)
 {
-    int status = DEM_OK;
+    const struct dem_effect *const effect = dem_effects_find(name);
 
-    for (int k = 0; k < p->verdicts.n; k++)
+    *share = NAN;
+    if (!effect || effect->stage == DEM_STAGE_NORMAL)    /* other effects need the normal law */
     {
-        struct dem_verdict *const v = &p->verdicts.verdict[k];
-        const struct dem_effect *const effect =
-            v->word == DEM_NEGLIGIBLE ? dem_effects_find(v->effect) : NULL;
-
-        if (effect && effect->stage != DEM_STAGE_NORMAL)  /* other effects need the normal law */
-        {
-            status = status ? status : measure_share(p, v->effect, &v->cost);
-            v->cost = status ? INFINITY : v->cost;
-            dem_totals_reduce_max(p->state, &v->cost, 1);
-            DEM_REQUIRE(status || isfinite(v->cost), DEM_ERROR_STATE,
-                        "another rank failed; see the message of that rank");
-        }
+        return DEM_OK;
     }
+    const int status = measure_share(p, s, dt, name, share);
+
+    *share = status ? INFINITY : *share;
+    dem_totals_reduce_max(p, share, 1);
+    DEM_REQUIRE(status || isfinite(*share), DEM_ERROR_STATE,
+                "another rank failed; see the message of that rank");
     return status;
 }

@@ -9,14 +9,15 @@
  *   R    radius of the smallest particle: equal ones meet; of the Sauter mean in the fluid    [m]
  *
  * 2 pi k R is the conductance of a half sphere, V and A volume and surface. The effects
- * themselves give H, at an overlap of 1 % of the diameter, and B, at the slip of the regime.
+ * themselves give H, at an overlap of 1 % of the diameter, and B, at the slip that is asked for.
  *
  * Source: Incropera and DeWitt, Fundamentals of Heat and Mass Transfer, section 5.1; contacts:
  * Vargas and McCarthy, AIChE J. 47 (2001) 1052.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/biot.h"
+#include "case/internal.h"
+#include "dem_numbers.h"
 #include "laws/effects.h"
 #include <string.h>
 
@@ -87,9 +88,14 @@ static double conductance(const struct dem_effect_list *list, double R)
 static void take(struct dem_biot *most, double number, const struct dem_material *of,
                  const struct dem_material *other)
 {
-    if (of->thermal.conductivity > 0.0 && number/of->thermal.conductivity > most->number)
+    const double k = of->thermal.conductivity;
+
+    if (k > 0.0 && number/k > most->number)
     {
-        *most = (struct dem_biot){number/of->thermal.conductivity, of, other};
+        *most = (struct dem_biot){.number = number/k,
+                                  .material = of->name,
+                                  .other = other ? other->name : NULL,
+                                  .conductivity = k};
     }
 }
 
@@ -123,12 +129,12 @@ static double value_of(const struct dem_uniform_fluid *f, const struct dem_inter
     return value;
 }
 
-/* W/K: of a particle of the Sauter mean at the slip of the regime */
-static double transfer(const struct dem_effect_entry *entry, const struct dem_plan *p,
-                       const struct dem_regime *g)
+/* W/K */
+static double transfer(const struct dem_effect_entry *entry, const struct dem *d, double diameter,
+                       double slip)
 {
-    const struct dem_uniform_fluid *const f = &p->scene->fluid;
-    const double R = 0.5*g->suspension.diameter;
+    const struct dem_uniform_fluid *const f = &d->scene.fluid;
+    const double R = 0.5*diameter;
     struct dem_body_batch b;
     struct columns t[DEM_EFFECT_SCALARS];
     struct dem_scalar_bodies rows[DEM_EFFECT_SCALARS];
@@ -139,13 +145,13 @@ static double transfer(const struct dem_effect_entry *entry, const struct dem_pl
     b.scalars = rows;
     fill(b.radius, R);
     fill(b.volume, 4.0/3.0*pi*R*R*R);
-    fill(b.ux, g->slip);
+    fill(b.ux, slip);
     fill(b.void_fraction, f->void_fraction);
     fill(b.density, f->density);
     fill(b.viscosity, f->viscosity);
     for (int k = 0; entry->effect->scalars[k]; k++)
     {
-        fill(t[k].i, value_of(f, &p->state->interaction_table, entry->effect->scalars[k]));
+        fill(t[k].i, value_of(f, &d->state.interaction_table, entry->effect->scalars[k]));
         rows[k] = (struct dem_scalar_bodies){.value = t[k].i,
                                              .rate = t[k].rate_i,
                                              .coefficient = t[k].rate_j,
@@ -156,17 +162,15 @@ static double transfer(const struct dem_effect_entry *entry, const struct dem_pl
 }
 
 /* For the uniform fluid of a scene; a coupled program's fluid is not known before the run. */
-static void of_fluid(const struct dem_plan *p, const struct dem_regime *g, struct dem_biot *most)
+static void of_fluid(const struct dem *d, double diameter, double slip, struct dem_biot *most)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
 
-    for (int k = 0; k < r->bodies.entries && p->scene->fluid.given && g->suspension.diameter > 0.0;
-         k++)
+    for (int k = 0; k < r->bodies.entries && d->scene.fluid.given && diameter > 0.0; k++)
     {
         if (r->bodies.entry[k].effect->transfers && exchanges_heat(r->bodies.entry[k].effect))
         {
-            const double ratio =
-                transfer(&r->bodies.entry[k], p, g)/(6.0*pi*g->suspension.diameter);
+            const double ratio = transfer(&r->bodies.entry[k], d, diameter, slip)/(6.0*pi*diameter);
 
             for (int m = 0; m < r->materials; m++)
             {
@@ -176,9 +180,9 @@ static void of_fluid(const struct dem_plan *p, const struct dem_regime *g, struc
     }
 }
 
-void dem_biot_number(const struct dem_plan *p, const struct dem_regime *g, struct dem_biot *most)
+void dem_biot_number(const struct dem *d, double diameter, double slip, struct dem_biot *most)
 {
-    *most = (struct dem_biot){0.0, NULL, NULL};
-    of_contacts(&p->state->interaction_table, most);
-    of_fluid(p, g, most);
+    *most = (struct dem_biot){.number = 0.0};
+    of_contacts(&d->state.interaction_table, most);
+    of_fluid(d, diameter, slip, most);
 }

@@ -1,11 +1,16 @@
 /*
- * plan_physics.c -- paragraphs of a plan: effects, materials, contacts, walls, particles.
+ * scene_text.c -- a scene as text: effects, materials, contacts, walls, particles; streams and
+ * outlets are in flows_text.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/plan.h"
+#include "run/scene_text.h"
+#include "dem_numbers.h"
 #include "core/error.h"
 #include "core/vec.h"
+#include "ranks/collect.h"
+#include "records/inventory.h"
+#include <fenv.h>
 #include <math.h>
 #include <string.h>
 
@@ -98,15 +103,14 @@ static double friction_alone(const struct dem_interaction_table *r)
 /* Grains with such a friction are seldom round: beads have 0.1 to 0.3. */
 static const double rough = 0.4;
 
-static void write_rolling(struct dem_text *t, const struct dem_plan *p)
+static void write_rolling(struct dem_text *t, const struct dem *d, int64_t particles)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
     const double friction = friction_alone(r);
     double g[3];
 
     dem_interaction_table_gravity(r, g);
-    if (friction >= rough && dem_vec_norm(g) > 0.0 && p->state->walls.walls > 0 &&
-        p->inventory.all.n > 1)
+    if (friction >= rough && dem_vec_norm(g) > 0.0 && d->state.walls.walls > 0 && particles > 1)
     {
         dem_text_add(t,
                      "    no rolling resistance at a friction of %g: spheres roll where the shape "
@@ -116,9 +120,9 @@ static void write_rolling(struct dem_text *t, const struct dem_plan *p)
     }
 }
 
-void dem_plan_effects(struct dem_text *t, const struct dem_plan *p)
+static void write_effects(struct dem_text *t, const struct dem *d, int64_t particles)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
 
     dem_text_add(t, "Effects\n");
     for (int k = 0; k < r->chosen; k++)
@@ -139,7 +143,7 @@ void dem_plan_effects(struct dem_text *t, const struct dem_plan *p)
     {
         dem_text_add(t, "    none\n");
     }
-    write_rolling(t, p);
+    write_rolling(t, d, particles);
 }
 
 /* ---- materials and contacts ---------------------------------------------------------------------------------- */
@@ -189,10 +193,8 @@ static void write_contact(struct dem_text *t, const struct dem_effect_list *chai
     dem_text_add(t, "\n");
 }
 
-void dem_plan_contacts(struct dem_text *t, const struct dem_plan *p)
+static void write_contacts(struct dem_text *t, const struct dem_interaction_table *r)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
-
     dem_text_add(t, "Materials\n");
     for (int k = 0; k < r->materials; k++)
     {
@@ -228,11 +230,11 @@ static void write_triangles(struct dem_text *t, const struct dem_walls *w, int w
     }
 }
 
-void dem_plan_walls(struct dem_text *t, const struct dem_plan *p)
+static void write_walls(struct dem_text *t, const struct dem_state *p)
 {
     static const char *const shape[] = {"", "plane", "cylinder", "sphere"};
     static const char *const moves[] = {"", ", translates", ", turns", ", oscillates"};
-    const struct dem_walls *const w = &p->state->walls;
+    const struct dem_walls *const w = &p->walls;
 
     dem_text_add(t, "Walls\n");
     for (int k = 0; k < w->walls; k++)
@@ -247,7 +249,7 @@ void dem_plan_walls(struct dem_text *t, const struct dem_plan *p)
         {
             dem_text_add(t, "    %-18s %s", of->name, shape[of->shape]);
         }
-        dem_text_add(t, ", %s%s%s\n", p->state->interaction_table.material[of->material].name,
+        dem_text_add(t, ", %s%s%s\n", p->interaction_table.material[of->material].name,
                      of->frame < 0 ? "" : moves[w->frame[of->frame].motion.kind],
                      of->driven ? ", with a surface velocity" : "");
     }
@@ -274,30 +276,29 @@ static void write_inventory(struct dem_text *t, const char *name, int64_t n, con
     dem_text_add(t, ", %.4g kg, %.4g m3\n", mass, volume);
 }
 
-static void write_groups(struct dem_text *t, const struct dem_plan *p)
+static void write_groups(struct dem_text *t, const struct dem *d)
 {
-    const struct dem_initial_particles *const c = &p->scene->initial;
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
+    const struct dem_initial_particles *const c = &d->scene.initial;
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
 
     for (size_t k = 0; k < c->groups; k++)
     {
         const struct dem_group_summary *const g = &c->group[k];
-        const double d[3] = {g->min_diameter, g->sum/(double)(g->n > 0 ? g->n : 1),
-                             g->max_diameter};
+        const double size[3] = {g->min_diameter, g->sum/(double)(g->n > 0 ? g->n : 1),
+                                g->max_diameter};
 
         if (g->n > 0)
         {
             write_inventory(t, g->name, g->n,
                             g->material < 0 ? "several materials" : r->material[g->material].name,
-                            d, g->mass, g->volume);
+                            size, g->mass, g->volume);
         }
     }
 }
 
-void dem_plan_particles(struct dem_text *t, const struct dem_plan *p)
+static void write_particles(struct dem_text *t, const struct dem *d, const struct dem_inventory *s)
 {
-    const struct dem_interaction_table *const r = &p->state->interaction_table;
-    const struct dem_inventory *const s = &p->inventory;
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
 
     dem_text_add(t, "Particles\n");
     if (s->all.n == 0)
@@ -305,25 +306,44 @@ void dem_plan_particles(struct dem_text *t, const struct dem_plan *p)
         dem_text_add(t, "    none\n");
         return;
     }
-    write_groups(t, p);
-    for (int m = 0; m < r->materials && p->scene->initial.groups == 0; m++)
+    write_groups(t, d);
+    for (int m = 0; m < r->materials && d->scene.initial.groups == 0; m++)
     {
         const struct dem_material_inventory *const k = &s->material[m];
-        const double d[3] = {k->min_diameter, k->diameters/(double)(k->n > 0 ? k->n : 1),
-                             k->max_diameter};
+        const double size[3] = {k->min_diameter, k->diameters/(double)(k->n > 0 ? k->n : 1),
+                                k->max_diameter};
 
         if (k->n > 0)
         {
-            write_inventory(t, "from the snapshot", k->n, r->material[m].name, d, k->mass,
+            write_inventory(t, "from the snapshot", k->n, r->material[m].name, size, k->mass,
                             k->volume);
         }
     }
-    const double d[3] = {s->all.min_diameter, s->all.diameters/(double)s->all.n,
-                         s->all.max_diameter};
+    const double size[3] = {s->all.min_diameter, s->all.diameters/(double)s->all.n,
+                            s->all.max_diameter};
 
-    write_inventory(t, "together", s->all.n, "", d, s->all.mass, s->all.volume);
+    write_inventory(t, "together", s->all.n, "", size, s->all.mass, s->all.volume);
     if (s->all.frozen > 0)
     {
         dem_text_add(t, "    %-18s %lld of them\n", "frozen", (long long)s->all.frozen);
     }
+}
+
+int dem_scene_text(struct dem *d, const char **text)
+{
+    static _Thread_local struct dem_text t;
+    struct dem_inventory inventory;
+    fenv_t caller;
+
+    dem_text_free(&t);
+    feholdexcept(&caller);
+    dem_inventory_take(&d->state, &inventory);
+    write_effects(&t, d, inventory.all.n);
+    write_contacts(&t, &d->state.interaction_table);
+    write_walls(&t, &d->state);
+    write_particles(&t, d, &inventory);
+    dem_flows_text_add(&t, d);
+    fesetenv(&caller);
+    *text = t.text;
+    return t.status ? t.status : dem_collect_status(&d->state.decomposition);
 }

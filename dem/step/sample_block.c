@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/sample_block.h"
+#include "step/sample_block.h"
 #include "particles/scalars.h"
 #include "step/neighbor_rebuild.h"
 #include <math.h>

@@ -1,5 +1,5 @@
 /*
- * time_estimate.c -- estimate memory by counting, processor time by timing a sample.
+ * run_cost.c -- estimate memory by counting, processor time by timing a sample.
  *
  * The block (sample_block.h), as large as the part of the scene that a rank has, up to 250000
  * spheres, runs for 0.1 s of processor time or 20 steps. It has other walls and communication
@@ -7,10 +7,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "advisor/time_estimate.h"
-#include "advisor/sample_block.h"
+#include "step/run_cost.h"
 #include "records/totals.h"
 #include "step/neighbor_rebuild.h"
+#include "step/sample_block.h"
 #include "step/step.h"
 #include <math.h>
 #include <time.h>
@@ -34,42 +34,38 @@ static double neighbors(double gap)
    is kept. */
 static const double tuned_skin[2] = {0.3, 0.04};
 
-void dem_memory_need_lists(const struct dem_state *p, const struct dem_inventory *s, double *pairs,
-                           double *rows)
+/* Listed pairs and candidate contacts per particle of a dense bed with the present skins. */
+static void count_lists(const struct dem_state *p, const struct dem_inventory *s,
+                        struct dem_run_cost *c)
 {
-    const double mean = s->all.n > 0 ? s->all.diameters/(double)s->all.n : 1.0;
-
-    const double reach = p->pairs.reach/mean;
+    const double mean = s->all.diameters/(double)s->all.n, reach = p->pairs.reach/mean;
     const int tuned = p->pairs.skins.tuned;
 
-    *pairs = 0.5*neighbors(tuned ? reach + tuned_skin[0] : p->pairs.outer/mean);
-    *rows = 0.5*neighbors(tuned ? reach + tuned_skin[1] : p->pairs.inner/mean);
+    c->pairs = 0.5*neighbors(tuned ? reach + tuned_skin[0] : p->pairs.outer/mean);
+    c->rows = 0.5*neighbors(tuned ? reach + tuned_skin[1] : p->pairs.inner/mean);
 }
 
 /* Lists grow by at most 1/8 when they are full: on average their capacity is (1/8)/ln(9/8) times
    their length. */
 static const double capacity = 1.061;
 
-void dem_memory_need_count(const struct dem_state *p, const struct dem_inventory *s,
-                           struct dem_memory_need *need)
+static void count_bytes(const struct dem_state *p, const struct dem_inventory *s,
+                        struct dem_run_cost *c)
 {
     const double n = (double)s->all.n;
-    double pairs, rows;
+    const int ring = n*c->rows > DEM_FORCE_BUFFER_ROWS;
 
-    dem_memory_need_lists(p, s, &pairs, &rows);
-    need->particle = (double)dem_particles_bytes_per_particle(&p->particles) + 8.0*sizeof(uint32_t);
-    need->pair = (double)dem_contacts_bytes_per_pair(&p->contacts);
-    const int ring = n*rows > DEM_FORCE_BUFFER_ROWS;
-
-    need->row = (double)dem_contacts_bytes_per_row(&p->contacts, ring);
-    need->bed = n*(need->particle + capacity*(pairs*need->pair + rows*need->row));
-    need->bed += ring ? (double)dem_contact_forces_ring_bytes(&p->contacts.forces) : 0.0;
-    need->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
+    c->particle = (double)dem_particles_bytes_per_particle(&p->particles) + 8.0*sizeof(uint32_t);
+    c->pair = (double)dem_contacts_bytes_per_pair(&p->contacts);
+    c->row = (double)dem_contacts_bytes_per_row(&p->contacts, ring);
+    c->bed = n*(c->particle + capacity*(c->pairs*c->pair + c->rows*c->row));
+    c->bed += ring ? (double)dem_contact_forces_ring_bytes(&p->contacts.forces) : 0.0;
+    c->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
     if (p->contacts.history.columns > 0)
     {
-        need->copy += n*0.5*in_contact*
-                      (double)(sizeof(struct dem_contact_key) +
-                               sizeof(double)*(size_t)p->contacts.history.columns);
+        c->copy += n*0.5*in_contact*
+                   (double)(sizeof(struct dem_contact_key) +
+                            sizeof(double)*(size_t)p->contacts.history.columns);
     }
 }
 
@@ -125,27 +121,37 @@ static int time_lists(struct dem_state *q, double *renew, double *prune)
     return DEM_OK;
 }
 
-int dem_step_cost_measure(const struct dem_state *p, const struct dem_inventory *s, double dt,
-                          struct dem_step_cost *pace)
+int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *s, double dt,
+                         struct dem_run_cost *c)
 {
     struct dem_sample q;
     double slowest[3];
 
     /* as many spheres as a rank has, so that they use the caches as the run will */
     const int64_t per_rank = s->all.n/p->decomposition.ranks;
+
+    *c = (struct dem_run_cost){.ranks = p->decomposition.ranks,
+                               .outer = p->pairs.half_outer,
+                               .inner = p->pairs.half_inner,
+                               .now = s->bytes,
+                               .max_now = s->max_bytes,
+                               .listed = s->pairs,
+                               .candidates = s->rows};
+    count_lists(p, s, c);
+    count_bytes(p, s, c);
     int status = dem_sample_block_make(&q, p, s, per_rank < max_block ? per_rank : max_block, NULL);
 
-    status = status ? status : time_steps(&q.state, dt, &pace->step);
-    status = status ? status : time_lists(&q.state, &pace->rebuild, &pace->prune);
-    pace->particles = (int64_t)q.state.particles.n;
+    status = status ? status : time_steps(&q.state, dt, &c->step);
+    status = status ? status : time_lists(&q.state, &c->rebuild, &c->prune);
+    c->particles = (int64_t)q.state.particles.n;
     dem_sample_block_free(&q);
-    slowest[0] = status ? INFINITY : pace->step;
-    slowest[1] = pace->rebuild;
-    slowest[2] = pace->prune;
+    slowest[0] = status ? INFINITY : c->step;
+    slowest[1] = c->rebuild;
+    slowest[2] = c->prune;
     dem_totals_reduce_max(p, slowest, 3);
-    pace->step = slowest[0];
-    pace->rebuild = slowest[1];
-    pace->prune = slowest[2];
+    c->step = slowest[0];
+    c->rebuild = slowest[1];
+    c->prune = slowest[2];
     return isfinite(slowest[0]) || status
                ? status
                : dem_error(DEM_ERROR_STATE, "another rank failed; see the message of that rank");
