@@ -135,7 +135,7 @@ void Foam::demExchange::prepare()
     {
         dem_case_fluid_displaced(particles_.described(), particles_.fluidDensity());
     }
-    ownWake_.prepare();
+    ownWake_.prepare(scheme_.wholeDrag());
 }
 
 

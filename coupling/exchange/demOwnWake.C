@@ -13,10 +13,23 @@ namespace Foam
 
 using constant::mathematical::pi;
 
+//- Numbers of a particle in the column own_wake: wake, two memories, own part of e
+static const label width = 10;
+
+//- xi: longitudinal part of q; 0.17 for linear, up to 1/3 for kernels so wide that V q is small
+static const scalar longitudinal = 0.17;
+
 //- chi: structure factor S(0) of a random suspension of hard spheres, Percus and Yevick
 static scalar structure(const scalar s)
 {
     return pow4(1 - s)/sqr(1 + 2*s);
+}
+
+
+//- X
+static scalar partOfOwn(const scalar chi, const scalar own)
+{
+    return chi + (1 - chi)*own/(own + 0.4);
 }
 
 
@@ -29,7 +42,7 @@ static scalar withoutOwn(const scalar sampled, const scalar own)
     for (label pass = 0; pass < 3; ++pass)
     {
         const scalar chi = structure(s);
-        s = max(read - own*(chi + (1 - chi)*own/(own + 0.4)), scalar(0));
+        s = max(read - own*partOfOwn(chi, own), scalar(0));
     }
     return 1 - s;
 }
@@ -72,12 +85,25 @@ Foam::tmp<Foam::scalarField> Foam::demOwnWake::grains() const
 }
 
 
-Foam::scalar Foam::demOwnWake::slip(const label i) const
+Foam::vector Foam::demOwnWake::wake(const label i) const
 {
-    return mag
-    (
-        vectorAt(fluid_.velocity, i) - vectorAt(fluid_.own_wake, 3*i) - velocity(view_, i)
-    );
+    const double* w = fluid_.own_wake + width*i;
+    return vector(w[0], w[1], w[2]);
+}
+
+
+Foam::vector Foam::demOwnWake::slip(const label i) const
+{
+    return vectorAt(fluid_.velocity, i) - wake(i) - velocity(view_, i);
+}
+
+
+Foam::scalar Foam::demOwnWake::reynolds(const label i, const scalar b) const
+{
+    const scalar speed = mag(slip(i));
+    const scalar R = speed*b*fluid_.density[i]/viscosity_[i];
+    const scalar carried = min(1, mag(wake(i))/(speed + VSMALL));
+    return R*(1 - 0.5*carried*R/(1 + R));
 }
 
 
@@ -85,17 +111,17 @@ Foam::scalar Foam::demOwnWake::screening
 (
     const label i,
     const scalar e,
-    const scalar b,
-    const scalar slip
+    const scalar b
 ) const
 {
+    const scalar speed = mag(slip(i));
     const scalar drag = fluid_.drag_time[i]/particles_.window();
     const scalar radius = *dem_at(view_.radius, view_.stride, i);
     const scalar volume = 4.0/3.0*pi*pow3(radius);
     const scalar mass = *dem_at(view_.mass, view_.stride, i);
     const scalar A = std::sqrt((1 - e)*drag/(volume*viscosity_[i]*e))*b;
     const bool frozen = flagsOf(view_, i) & 1;
-    const scalar a = frozen ? 1 : mass*slip/(mass*slip + drag*b + VSMALL);
+    const scalar a = frozen ? 1 : mass*speed/(mass*speed + drag*b + VSMALL);
 
     return 1 - a + a*std::pow(1 + 0.768*A, -1.49);
 }
@@ -130,15 +156,20 @@ Foam::demOwnWake::demOwnWake(const demParticles& particles)
     particles_(particles),
     view_(particles.view()),
     fluid_(particles.fluid()),
-    active_(isActive(particles))
+    active_(isActive(particles)),
+    reads_(0)
 {}
 
 
-void Foam::demOwnWake::prepare() const
+void Foam::demOwnWake::prepare(const bool wholeDrag)
 {
-    if (active_ && particles_.twoWay() && particles_.interval() == 0)
+    if (active_)
     {
         dem_case_fluid_own_wake(particles_.described());
+    }
+    if (particles_.volumeAveraged())
+    {
+        reads_ = wholeDrag ? 1 : 2;
     }
 }
 
@@ -149,41 +180,52 @@ void Foam::demOwnWake::toParticles()
     {
         return;
     }
-    const scalarField& q = particles_.transfer().ownWeights();
-    const scalarField own(volumes(view_)*q/grains());
-
-    forAll(q, i)
-    {
-        fluid_.void_fraction[i] = withoutOwn(fluid_.void_fraction[i], own[i]);
-    }
     if (!fluid_.own_wake || particles_.window() <= 0)      // the plan, before the first step
     {
         return;
     }
+    const bool wakes = particles_.twoWay() && particles_.interval() <= 0;
+    const scalarField& q = particles_.transfer().ownWeights();
+    const scalarField own(volumes(view_)*q/grains());
 
     viscosity_ = effectiveViscosity();
     forAll(q, i)
     {
-        const scalar e = max(fluid_.void_fraction[i], scalar(0.1));
-        const scalar b = radiusOf(q[i]);
-        const scalar speed = slip(i);
-        const scalar R = speed*b*fluid_.density[i]/viscosity_[i];
-        const scalar factor =
-            std::sqrt(std::cbrt(q[i]))*structure(1 - e)*screening(i, e, b, speed)
-           /(std::sqrt(1 + 0.920*R + 0.282*sqr(R))*3*pi*viscosity_[i]*e);
-
-        double* wake = fluid_.own_wake + 9*i;
-        for (direction k = 0; k < 3; ++k)
+        double* column = fluid_.own_wake + width*i;
+        const scalar read = fluid_.void_fraction[i];
+        fluid_.void_fraction[i] = withoutOwn(read, own[i]);
+        column[9] = fluid_.void_fraction[i] - read;
+        if (wakes)
         {
-            wake[k] = factor*(0.6*wake[3 + k] + 0.4*wake[6 + k]);
+            setWake(i, q[i], own[i]);
         }
+    }
+}
+
+
+void Foam::demOwnWake::setWake(const label i, const scalar q, const scalar own)
+{
+    const scalar e = max(fluid_.void_fraction[i], scalar(0.1));
+    const scalar b = radiusOf(q);
+    const scalar R = reynolds(i, b);
+    const scalar chi = structure(1 - e);
+    const scalar drag =
+        std::sqrt(std::cbrt(q))*chi*screening(i, e, b)
+       /(std::sqrt(1 + 0.920*R + 0.282*sqr(R))*3*pi*viscosity_[i]*e);
+    const scalar displaced = reads_*longitudinal*own*partOfOwn(chi, own)/e;
+    const vector slip(this->slip(i));
+
+    double* column = fluid_.own_wake + width*i;
+    for (direction k = 0; k < 3; ++k)
+    {
+        column[k] = drag*(0.6*column[3 + k] + 0.4*column[6 + k]) + displaced*slip[k];
     }
 }
 
 
 void Foam::demOwnWake::update(const UList<vector>& velocity)
 {
-    if (!active_ || !fluid_.own_wake)
+    if (!fluid_.own_wake || !particles_.twoWay() || particles_.interval() > 0)
     {
         return;
     }
@@ -196,7 +238,7 @@ void Foam::demOwnWake::update(const UList<vector>& velocity)
     {
         const scalar b = radiusOf(q[i]);
         const scalar nu = viscosity_[i]/fluid_.density[i];
-        const scalar R = slip(i)*b/nu;
+        const scalar R = reynolds(i, b);
         const scalar fast = T*(1.1 + R)*nu/sqr(b);
         const scalar slow = T*(0.03 + 0.33*R)*nu/sqr(b);
         const vector F
@@ -208,7 +250,7 @@ void Foam::demOwnWake::update(const UList<vector>& velocity)
         );
         const vector part(std::sqrt(std::cbrt(q[i]))*F);
 
-        double* phi = fluid_.own_wake + 9*i + 3;
+        double* phi = fluid_.own_wake + width*i + 3;
         for (direction k = 0; k < 3; ++k)
         {
             phi[k] = (phi[k] + fast*part[k])/(1 + fast);

@@ -99,10 +99,11 @@ struct dem_fluid
     double *owed_pressure_impulse;       /* in/out  N s  3 each, for the program: impulse of the
                                             pressure gradient, without its hydrostatic part, that
                                             the particle has not received yet */
-    double *own_wake;                    /* in/out  9 each: part of `velocity` that is the
+    double *own_wake;                    /* in/out  10 each: part of `velocity` that is the
                                             particle's own wake [m/s], which effects do not see
-                                            but the exchange does; 6 numbers for the program.
-                                            NULL without dem_case_fluid_own_wake; 0 for a new
+                                            but the exchange does; 6 numbers for the program;
+                                            part of `void_fraction` above the cells' [1]. NULL
+                                            without dem_case_fluid_own_wake; 0 for a new
                                             particle */
 };
 

@@ -42,6 +42,11 @@ enum dem_particle_flag
 };
 
 /* a column exists when the scene has all its groups */
+enum
+{
+    DEM_OWN_WAKE_WIDTH = 10           /* numbers of a particle in the column own_wake */
+};
+
 enum dem_column_group
 {
     DEM_GROUP_FLUID = 1,              /* effects that need a fluid */
@@ -93,9 +98,10 @@ enum dem_column_name
                                             0 before it is set */
     DEM_COLUMN_OWED_PRESSURE_IMPULSE,    /* N s  of the pressure gradient on the volume of the
                                             particle, not passed on yet; by the coupling */
-    DEM_COLUMN_OWN_WAKE,                 /* 9: part of the fluid velocity that is the particle's
-                                            own wake [m/s]: body effects see the rest; then what
-                                            the coupling computes it of */
+    DEM_COLUMN_OWN_WAKE,                 /* part of the fluid velocity that is the particle's own
+                                            wake, 3 [m/s]: body effects see the rest; 6 that the
+                                            coupling computes it from; part of the void fraction
+                                            above the cells' [1] */
     DEM_COLUMN_VOIDAGE_FACTOR_FIRST,     /* 1    voidage factors of drag laws in this window, */
     DEM_COLUMN_VOIDAGE_FACTOR_SECOND,    /*      functions of the fluid alone, laws/batch.h */
     DEM_COLUMN_ADDED_MASS,               /* kg   of this window */

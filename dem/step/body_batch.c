@@ -189,9 +189,9 @@ static void subtract_own_wake(struct dem_body_batch *batch, const double *wake, 
 {
     for (int c = 0; c < rows; c++)
     {
-        batch->ux[c] -= wake[9*c];
-        batch->uy[c] -= wake[9*c + 1];
-        batch->uz[c] -= wake[9*c + 2];
+        batch->ux[c] -= wake[DEM_OWN_WAKE_WIDTH*c];
+        batch->uy[c] -= wake[DEM_OWN_WAKE_WIDTH*c + 1];
+        batch->uz[c] -= wake[DEM_OWN_WAKE_WIDTH*c + 2];
     }
 }
 
@@ -229,7 +229,7 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *work,
     }
     if (dem_column(particles, DEM_COLUMN_OWN_WAKE))
     {
-        subtract_own_wake(batch, dem_column(particles, DEM_COLUMN_OWN_WAKE) + 9*first, rows);
+        subtract_own_wake(batch, dem_column(particles, DEM_COLUMN_OWN_WAKE) + DEM_OWN_WAKE_WIDTH*first, rows);
     }
     for (size_t k = 0; k < sizeof scalars/sizeof scalars[0]; k++)
     {

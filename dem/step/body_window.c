@@ -158,7 +158,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
         dem_eddies_velocity(particles, i, eddy);
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
-            const double own = wake ? wake[9*i + k - 3*i] : 0.0;
+            const double own = wake ? wake[DEM_OWN_WAKE_WIDTH*i + k - 3*i] : 0.0;
             const double w = u[k] - own + eddy[k - 3*i] - start[k];
 
             slip += w*w;

@@ -15,9 +15,10 @@ def factor(Re):
 
 
 def fall(name, kernel, cell, Re, own="yes", side=20, travel=6, density=2650, start=0.0, law="schillerNaumann", step=None,
-         ranks=1, more="", run=True):
+         behind=None, more="", run=True):
     """The case, after it has run: cells of `cell` diameters in a box of `side`, the law's Re, the way of the law's
-    speed and the speed at the start over it; step: as a part of the time that the law's speed needs for a cell."""
+    speed and the speed at the start over it; step: as a part of the time that the law's speed needs for a cell; a
+    second sphere so many diameters behind the first."""
     case = Case(name, source="shared")
     nu = speed*d/Re
     g = 18*nu*1000/(d**2*(density - 1000))*factor(Re)*speed
@@ -29,8 +30,9 @@ def fall(name, kernel, cell, Re, own="yes", side=20, travel=6, density=2650, sta
     case.controls(T*round(travel*d/speed/T), T, nu=nu)
     case.box((length,)*3, (n,)*3, {"walls": ("wall", "x- x+ y- y+ z- z+")})
     middle = length/2 - direction*(0.5*travel*d) + 0.23*cell*d*np.array((1, -0.5, 0.3))
+    positions = [middle] if behind is None else [middle, middle - behind*d*direction]
     case.properties(f"sphere {{ density {density}; youngsModulus 1e5; }}", f"hertz {{}} {law} {{}} pressureGradient {{}}",
-                    f"sphere {{ type list; diameter {d}; positions ({vector(middle)}); velocity {vector(start*speed*direction)}; }}",
+                    f"sphere {{ type list; diameter {d}; positions ({' '.join(map(vector, positions))}); velocity {vector(start*speed*direction)}; }}",
                     f"rho 1000; kernel {kernel}; ownWake {own};" + more)
     if run:
         case.run("demPimpleFoam")
