@@ -123,7 +123,7 @@ Foam::scalar Foam::demOwnWake::screening
     const bool frozen = flagsOf(view_, i) & 1;
     const scalar a = frozen ? 1 : mass*speed/(mass*speed + drag*b + VSMALL);
 
-    return 1 - a + a*std::pow(1 + 0.768*A, -1.49);
+    return (1 - a)/(1 + 0.4*sqr(A)) + a*std::pow(1 + 0.768*A, -1.49);
 }
 
 
