@@ -23,6 +23,7 @@
 
 here=$PWD
 . "${BASH_SOURCE[0]%/*}/claims.sh"
+. "${BASH_SOURCE[0]%/*}/mpi/setup"
 dem=${DEM:-$here/../../dem/build/dem}
 if [ -z "${DEM-}" ] && ! built=$(make --no-print-directory -C ../../dem -j "$(nproc)" library \
     program 2>&1)
@@ -39,15 +40,6 @@ disown        # so that `wait` does not wait for it
 end_watch() { [ "$(cut -d' ' -f4 "/proc/$watch/stat" 2> /dev/null)" != $$ ] || kill "$watch"; }
 trap 'end_watch; [ -n "${SUNA_KEEP-}" ] || rm -rf "$work"' EXIT
 claims=0 failures=0 run_limit=${SUNA_TEST_LIMIT:-120}
-
-# with more ranks than cores: waiting ranks yield, else every exchange costs a time slice of the scheduler
-export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1
-# without hwloc's search for OpenCL devices: pocl, where it is installed, takes SIGUSR1 from mpirun
-export HWLOC_COMPONENTS=${HWLOC_COMPONENTS--opencl}
-if [ "$(id -u)" = 0 ]
-then
-    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-fi
 
 claim()
 {

@@ -120,15 +120,58 @@ class Result:
                   f"{'reference ' + reference if reference else '':24s} {unit}")
 
 
-def table(path):
-    """result.csv as a table of results.md."""
-    lines = ["| | | reference | Suna | 95 % | |", "|---|---|---|---|---|---|"]
-    with open(path, newline="") as file:
-        for row in csv.DictReader(file):
-            ci95 = f"± {row['ci95']}" if row["ci95"] else ""
-            unit = "" if row["unit"] == "1" else row["unit"]
-            lines.append(f"| {row['quantity']} | {row['where']} | {row['reference']} | **{row['value']}** | {ci95} | {unit} |")
+def number_text(cell, digits=4):
+    return f"{float(f'{float(cell):.{digits}g}'):g}" if cell else ""
+
+
+def value_text(row):
+    return number_text(row["value"]) + (f" ± {number_text(row['ci95'], 2)}" if row["ci95"] else "")
+
+
+def line_table(rows):
+    """A line for each row."""
+    lines = ["| | | reference | Suna |", "|---|---|---|---|"]
+    before = None
+    for row in rows:
+        unit = "" if row["unit"] == "1" else " " + row["unit"]
+        lines.append(f"| {row['quantity'] if row['quantity'] != before else ''} | {row['where']} "
+                     f"| {number_text(row['reference'])} | {value_text(row)}{unit} |")
+        before = row["quantity"]
     return "\n".join(lines)
+
+
+def cross_table(rows):
+    """Quantities of the same places, quantities across unless they are more; references in parentheses."""
+    cells = {}
+    for row in rows:
+        quantity = row["quantity"] + ("" if row["unit"] == "1" else f" [{row['unit']}]")
+        reference = f" ({number_text(row['reference'])})" if float(row["reference"] or 0) else ""
+        cells[row["where"], quantity] = value_text(row) + reference
+    places, quantities = (list(dict.fromkeys(names)) for names in zip(*cells))
+    if len(quantities) > len(places):
+        places, quantities = quantities, places
+        cells = {(quantity, where): text for (where, quantity), text in cells.items()}
+    head = "Suna (reference)" if any("(" in text for text in cells.values()) else ""
+    return "\n".join([f"| {head} | {' | '.join(quantities)} |", "|---"*(1 + len(quantities)) + "|",
+                      *(f"| {place} | {' | '.join(cells[place, quantity] for quantity in quantities)} |"
+                        for place in places)])
+
+
+def table(path):
+    """result.csv as tables of results.md: one for quantities that share three places or more, a line each for
+    the other rows."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    places = {}
+    for row in rows:
+        places.setdefault(row["quantity"], []).append(row["where"])
+    shared = {}
+    for quantity, names in places.items():
+        shared.setdefault(tuple(names), []).append(quantity)
+    crossed = [quantities for names, quantities in shared.items() if len(names) > 2 and len(quantities) > 1]
+    tables = [cross_table([row for row in rows if row["quantity"] in quantities]) for quantities in crossed]
+    rest = [row for row in rows if not any(row["quantity"] in quantities for quantities in crossed)]
+    return "\n\n".join(tables + ([line_table(rest)] if rest else []))
 
 
 def store(text, *files, name="table", result="result.csv"):

@@ -403,7 +403,7 @@ static int run_scene(struct dem_program *prog, struct dem *d, const struct dem_s
     if (prog->rank == 0)
     {
         dem_accuracy_print(&s->accuracy, dem_step_limit(d).used);
-        printf("hash %016llx\n", (unsigned long long)hash);
+        printf("hash %016llx%s\n", (unsigned long long)hash, dem_stopped(d) ? " at the stop" : "");
     }
     return DEM_OK;
 }

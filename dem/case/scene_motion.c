@@ -10,10 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Limits [1/s], [s]: beyond them double precision cannot resolve an angle; below them all
-   angles are finite. */
-static const double max_rate = 1e15, max_time = 1e15;
-
 /* Origin and unit axis of a rotation. */
 static int read_axis(const struct dem_dict *dict, double origin[3], double axis[3])
 {
@@ -34,9 +30,9 @@ static int read_axis(const struct dem_dict *dict, double origin[3], double axis[
 static int read_omega(const struct dem_dict *dict, double *omega)
 {
     DEM_TRY(dem_dict_number(dict, "omega", "rad/s", omega));
-    DEM_REQUIRE(fabs(*omega) < max_rate, DEM_ERROR_INPUT,
+    DEM_REQUIRE(fabs(*omega) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: omega %g rad/s; give a number below %g", dem_dict_where(dict), *omega,
-                max_rate);
+                DEM_MOTION_LIMIT);
     return DEM_OK;
 }
 
@@ -45,10 +41,10 @@ static int read_oscillation(const struct dem_dict *dict, struct dem_motion *m)
     DEM_TRY(dem_dict_vector(dict, "amplitude", "m", m->amplitude));
     DEM_TRY(dem_dict_number(dict, "frequency", "1/s", &m->frequency));
     DEM_TRY(dem_dict_number_or(dict, "phase", "rad", 0.0, &m->phase));
-    DEM_REQUIRE(m->frequency > 0.0 && m->frequency < max_rate, DEM_ERROR_INPUT,
+    DEM_REQUIRE(m->frequency > 0.0 && m->frequency < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: frequency %g 1/s; give a number above 0 and below %g", dem_dict_where(dict),
-                m->frequency, max_rate);
-    DEM_REQUIRE(fabs(m->phase) < max_rate, DEM_ERROR_INPUT,
+                m->frequency, DEM_MOTION_LIMIT);
+    DEM_REQUIRE(fabs(m->phase) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: phase %g rad; give an angle from 0 to 6.28", dem_dict_where(dict), m->phase);
     return DEM_OK;
 }
@@ -65,9 +61,9 @@ static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
     {
         DEM_TRY(dem_dict_number(dict, "end", "s", &m->end));
     }
-    DEM_REQUIRE(fabs(m->start) < max_time, DEM_ERROR_INPUT,
+    DEM_REQUIRE(fabs(m->start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), m->start,
-                max_time);
+                DEM_MOTION_LIMIT);
     DEM_REQUIRE(m->end > m->start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
                 dem_dict_where(dict), m->end, m->start);
     if (strcmp(type, known[0]) == 0)

@@ -97,6 +97,11 @@ static int is_finite(const double *number, size_t n)
     return good;
 }
 
+static int is_below_limit(double number)
+{
+    return isless(fabs(number), DEM_MOTION_LIMIT);
+}
+
 /* The facets of all walls are numbered one after the other, so their number is known. */
 static int is_valid(const struct dem_snapshot_wall *w, int64_t facets)
 {
@@ -105,10 +110,10 @@ static int is_valid(const struct dem_snapshot_wall *w, int64_t facets)
     return dem_snapshot_is_name(w->name, sizeof w->name) && w->facets >= 0 && w->first_facet >= 0
         && w->facets <= INT_MAX && w->first_facet <= facets - w->facets && facets <= INT_MAX
         && is_finite(w->form, DEM_WALL_FORM) && m->kind >= DEM_MOTION_REST
-        && m->kind <= DEM_MOTION_OSCILLATION && !isnan(m->end) && isfinite(m->start)
-        && is_finite(m->velocity, 3) && is_finite(m->amplitude, 3) && isfinite(m->frequency)
-        && isfinite(m->phase) && is_finite(m->origin, 3) && is_finite(m->axis, 3)
-        && isfinite(m->omega) && is_finite(&w->base.rotation[0][0], 9)
+        && m->kind <= DEM_MOTION_OSCILLATION && !isnan(m->end) && is_below_limit(m->start)
+        && is_finite(m->velocity, 3) && is_finite(m->amplitude, 3) && is_below_limit(m->frequency)
+        && is_below_limit(m->phase) && is_finite(m->origin, 3) && is_finite(m->axis, 3)
+        && is_below_limit(m->omega) && is_finite(&w->base.rotation[0][0], 9)
         && is_finite(w->base.shift, 3);
 }
 

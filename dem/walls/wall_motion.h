@@ -32,6 +32,9 @@ enum dem_motion_kind
     DEM_MOTION_OSCILLATION
 };
 
+/* Rates [1/s, rad/s], phases [rad] and start [s] of a motion lie below it, so angles are finite. */
+#define DEM_MOTION_LIMIT 1e15
+
 struct dem_motion
 {
     enum dem_motion_kind kind;

@@ -71,7 +71,7 @@ over()
 stopped()
 {
     over && grep -q "^stopped by $2 at t .* -restart $file continues" "$work/$1/log.out" \
-        && same "$("$dem" hash "$work/$1/$file")" "$(printed_hash "$work/$1/log.out")" \
+        && same "$("$dem" hash "$work/$1/$file") at the stop" "$(printed_hash "$work/$1/log.out")" \
         || { sed 's/^/#   /' "$work/$1/log.out" "$work/$1/log.err"; false; }
 }
 

@@ -4,8 +4,8 @@
     store.py CASE "10 s, 2 cores of ..., DATE" [NAME]
 
 CASE is a folder in which compare.py has written; the text says what ran where. Without NAME it is
-the run of the table at the top; with NAME (fine, stiff, slow) it goes to stored/NAME and into the
-table of that name.
+the run of the table at the top; with NAME (fine, stiff, slow) it goes to stored/NAME, and into the
+table of that name if results.md has one.
 
     store.py -beside "WHAT RAN WHERE" NAME LABEL=CASE ...
 
@@ -25,20 +25,20 @@ import beside
 from compare import HERE, experiment
 
 FILES = ["result.csv", "profiles.csv", "profiles.png", "pressure.png", "bed.png"]
-SHORT = ["result.csv", "profiles.csv", "profiles.png"]          # of a run with a name
+SHORT = ["result.csv", "profiles.csv"]          # of a run with a name; profiles.png if results.md shows it
 
 
 def table(rows, text, against):
     others = {(quantity, height): pair for quantity, height, _, *pair in against.rows}
-    lines = [f"{text}:", "", f"| | height | rms | 95 % of rms | spread of the measured points | {' | '.join(against.others)} |",
-             "|---|---|---|---|---|---|---|"]
+    lines = [f"{text}:", "", f"| | height | rms | spread of the measured points | {' | '.join(against.others)} |",
+             "|---|---|---|---|---|---|"]
     last = []
     for row in rows:
         key = row["quantity"], float(row["height_mm"])
         if key in others:
             unit = "" if row["unit"] == "1" else " " + row["unit"]
             name = "void fraction" if key[0] == "voidFraction" else "vertical velocity"
-            lines.append(f"| {name} | {key[1]:g} mm | **{float(row['rms']):.3f}**{unit} | ± {float(row['ci95']):.3f} "
+            lines.append(f"| {name} | {key[1]:g} mm | **{float(row['rms']):.3f}** ± {float(row['ci95']):.3f}{unit} "
                          f"| {float(row['spread']):.3f} | {others[key][0]:.3f} | {others[key][1]:.3f} |")
         elif key[0] == "pressureDrop":
             last.append(f"Pressure drop {float(row['rms']):.1f} ± {float(row['ci95']):.1f} Pa; the beads weigh "
@@ -51,7 +51,7 @@ def table(rows, text, against):
             last.append(f"its spectrum is largest at {float(row['rms']):.2f} ± {float(row['ci95']):.2f} Hz.")
         elif key[0] == "processorTime":
             last.append(f"{float(row['rms']):.0f} s of processor.")
-    return "\n".join(lines + ["", " ".join(last)])
+    return "\n".join(lines + ["", *last])
 
 
 def main():
@@ -64,7 +64,8 @@ def main():
         sys.exit(__doc__)
     case, name = Path(sys.argv[1]), "".join(sys.argv[3:])
     (HERE/"stored"/name).mkdir(parents=True, exist_ok=True)
-    for file in SHORT if name else FILES:
+    shown = ["profiles.png"] if f"stored/{name}/profiles.png" in (HERE/"results.md").read_text() else []
+    for file in SHORT + shown if name else FILES:
         shutil.copy(case/file, HERE/"stored"/name/file)
     with open(case/"result.csv", newline="") as file:
         put(name, table(csv.DictReader(file), sys.argv[2], experiment(case)))
@@ -86,7 +87,8 @@ def put(name, new):
     head = f"<!-- table {name}".rstrip() + " -->\n"
     text = page.read_text()
     if head not in text:
-        sys.exit(f"store: results.md has no line {head}")
+        print(f"store: results.md has no line {head.strip()}; its table:\n\n{new}")
+        return
     page.write_text(re.sub(rf"({head}).*?(<!-- end -->)",
                              lambda m: m.group(1) + new + "\n" + m.group(2), text,
                              flags=re.DOTALL))

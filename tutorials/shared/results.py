@@ -2,9 +2,18 @@
 """results.py -- functions shared by the validating tutorials: rows of a table, intervals, cost,
 storing.
 
-    results.py CASE "COMMAND"      keep result.csv and the pictures of CASE in CASE/stored; put the
-                                   table into results.md, with date, kind of machine, commit,
-                                   command and processor time
+    results.py CASE "COMMAND"      keep result.csv and the pictures of CASE in CASE/stored; put
+                                   command, date, kind of machine, commit and processor time into
+                                   results.md, and fill its tables
+    results.py CASE                fill the tables of results.md from CASE/stored/result.csv
+
+results.md says which rows each of its tables shows:
+
+    <!-- rows PATTERN -->  ...  <!-- end -->
+
+PATTERN is a regular expression for "part: quantity". Without groups each row is a line with part,
+quantity, reference and result. With groups the table shows differences: the group `column` names
+the column of a row, the other groups its line.
 
 A row has part, quantity, reference, ours, interval (half the width at 95 %, none if a run has no
 chance), allowed (largest relative difference, none if the row is only reported) and the source of
@@ -117,20 +126,92 @@ class Table:
               f"{processor_time(case):.0f} s of processor")
 
 
+def relative(row):
+    return float(row["reference"]) != 0
+
+
+def interval_text(half):
+    return f" ± {half:.2g}" if half else ""
+
+
+def bold(text, row):
+    return f"**{text}**" if row["verdict"] == "outside" else text
+
+
 def markdown(rows):
-    lines = ["| | quantity | reference | ours | ± 95 % | difference | allowed |",
-             "|---|---|---|---|---|---|---|"]
+    """A line for each row."""
+    lines = ["| | quantity | reference | Suna | difference | allowed |", "|---|---|---|---|---|---|"]
     before = None
     for row in rows:
         unit = f" {row['unit']}" if row["unit"] else ""
-        relative = float(row["reference"]) != 0
-        difference = f"{100*float(row['difference']):+.2f} %" if relative else ""
-        allowed = f"{100*float(row['allowed']):g} %" if row["allowed"] and relative else row["allowed"]
-        mark = "**" if row["verdict"] == "outside" else ""
-        lines.append(f"| {row['part'] if row['part'] != before else ''} | {row['quantity']} | {row['reference']}{unit} "
-                     f"| {mark}{row['ours']}{mark} | {row['ci95']} | {difference} | {allowed} |")
+        difference = f"{percent(row)} %" if relative(row) else ""
+        allowed = f"{bound(row)} %" if row["allowed"] and relative(row) else bound(row)
+        ours = bold(f"{float(row['ours']):.5g}", row) + interval_text(float(row["ci95"] or 0))
+        lines.append(f"| {row['part'] if row['part'] != before else ''} | {row['quantity']} "
+                     f"| {float(row['reference']):.5g}{unit} | {ours} | {difference} | {allowed} |")
         before = row["part"]
     return "\n".join(lines)
+
+
+def percent(row):
+    value = 100*float(row["difference"])
+    digits = 2 if abs(value) < 10 else 1 if abs(value) < 100 else 0
+    return f"{round(value, digits) + 0.0:+.{digits}f}"
+
+
+def bound(row):
+    """The allowed difference, in % of the reference if there is one."""
+    return f"{(100 if relative(row) else 1)*float(row['allowed']):.3g}" if row["allowed"] else ""
+
+
+def difference_of(row):
+    """Difference with its interval, in % of the reference; the value itself for a reference of 0."""
+    if not relative(row):
+        return bold(f"{float(row['ours']):.3g}", row)
+    half = 100*float(row["ci95"] or 0)/abs(float(row["reference"]))
+    return bold(percent(row), row) + interval_text(half)
+
+
+def cross(cells):
+    """Differences of the rows by (line, column). If a line has cells with unlike bounds, each cell of the
+    table has its own in parentheses."""
+    names, columns = (list(dict.fromkeys(names)) for names in zip(*cells))
+    lines = {name: {column: cells[name, column] for column in columns if (name, column) in cells} for name in names}
+    alike = all(len({bound(row) for row in line.values()}) == 1 for line in lines.values())
+    bounded = any(row["allowed"] for row in cells.values())
+    last = ["allowed"] if bounded and alike else []
+    unit = ", %" if all(map(relative, cells.values())) else ""
+    head = ["difference" + unit + (" (allowed)" if bounded and not alike else ""), *columns, *last]
+
+    def cell(row):
+        return difference_of(row) + (f" ({bound(row)})" if row["allowed"] and not alike else "")
+
+    out = []
+    for name, line in lines.items():
+        first = next(iter(line.values()))
+        out.append([name if unit or not relative(first) else name + ", %",
+                    *(cell(line[column]) if column in line else "" for column in columns),
+                    *([bound(first)] if last else [])])
+    return "\n".join([f"| {' | '.join(head)} |", "|---"*len(head) + "|", *(f"| {' | '.join(line)} |" for line in out)])
+
+
+def select(rows, pattern):
+    """The table of the rows that match."""
+    pattern = re.compile(pattern)
+    matches = [(pattern.fullmatch(f"{row['part']}: {row['quantity']}"), row) for row in rows]
+    matches = [(found, row) for found, row in matches if found]
+    if not matches:
+        sys.exit(f"results: no row matches {pattern.pattern}")
+    if not pattern.groups:
+        return markdown([row for _, row in matches])
+    column = pattern.groupindex["column"]
+    cells = {}
+    for found, row in matches:
+        line = ", ".join(text for k, text in enumerate(found.groups(), 1) if k != column)
+        if (line, found["column"]) in cells:
+            sys.exit(f"results: two rows match {pattern.pattern} as {line}, {found['column']}")
+        cells[line, found["column"]] = row
+    return cross(cells)
 
 
 # ---- storing -------------------------------------------------------------------------------------
@@ -150,7 +231,7 @@ def kind_of_machine():
         model = re.search(r"model name\s*: (.*)", text).group(1)
     except (OSError, AttributeError):
         return "a machine of unknown kind"
-    return f"one core of an {' '.join(model.split()[:2])}"
+    return f"one core of a shared {' '.join(model.split()[:2])}"
 
 
 def store(case, command):
@@ -159,20 +240,32 @@ def store(case, command):
     kept.mkdir(exist_ok=True)
     for file in [case/"result.csv", *case.glob("*.png")]:
         shutil.copy(file, kept/file.name)
-    with open(case/"result.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=case, capture_output=True,
                             text=True).stdout.strip()
     today = datetime.date.today()
-    head = (f"`{command}`, {today.day} {today:%B %Y}, {kind_of_machine()} that other programs used too, commit {commit}, "
-            f"{processor_time(case):.0f} s of processor:\n\n")
-    page = case/"results.md"
-    page.write_text(re.sub(r"(<!-- table -->\n).*?(<!-- end -->)",
-                             lambda m: m.group(1) + head + markdown(rows) + "\n" + m.group(2),
-                             page.read_text(), flags=re.DOTALL))
+    put(case/"results.md", "run",
+        lambda _: f"`{command}`, {today.day} {today:%B %Y}, {kind_of_machine()}, commit {commit}, "
+                  f"{processor_time(case):.0f} s of processor.")
+    fill(case)
+
+
+def fill(case):
+    """The tables of results.md, from the stored rows."""
+    with open(Path(case)/"stored/result.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    put(Path(case)/"results.md", "rows (.*?)", lambda found: select(rows, found[2]))
+
+
+def put(page, name, text):
+    """Replace the text behind each <!-- name -->."""
+    page.write_text(re.sub(f"(<!-- {name} -->\n).*?(<!-- end -->)",
+                           lambda found: f"{found[1]}{text(found)}\n<!-- end -->", page.read_text(), flags=re.DOTALL))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) == 2:
+        fill(sys.argv[1])
+    elif len(sys.argv) == 3:
+        store(*sys.argv[1:])
+    else:
         sys.exit(__doc__)
-    store(*sys.argv[1:])

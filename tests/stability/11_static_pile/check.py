@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 HARD = "thousands of sticking contacts for a long time"
 R, G = 1e-3, 9.81
-SETTLE, STEPS = 0.6, {False: 30000, True: 1000000}
+SETTLE, STEPS = 0.4, {False: 10000, True: 1000000}
 
 
 def height(frame):

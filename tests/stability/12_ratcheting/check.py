@@ -27,7 +27,7 @@ def check(c):
     for law, scene, force, stiffness, swing in laws():
         pull = 2.0*0.5*MU*force/MASS                                             # on both plates
         # long form: laws that must not creep, with the slow motion
-        cycles = {25: 10000 if c.long and "Incremental" not in law else 250, 50: 250}
+        cycles = {25: 10000 if c.long and "Incremental" not in law else 60, 50: 60}
         share = {f: drift(c, scene, f, cycles[f], pull, swing)/(MU*force/stiffness)
                  for f in ((25, 50) if "Incremental" not in law else (25,))}
         what = "%s: drift per cycle over mu F_n/k_t" % law

@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "common/demStop.C"
+#include "common/demRankBuffers.C"
+#include "common/demSelfCheck.C"

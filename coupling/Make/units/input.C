@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "input/demDict.C"
+#include "input/demWallEntries.C"
+#include "input/demDictWalls.C"
+#include "input/demEdits.C"
+#include "input/demMeshCheck.C"
+#include "input/demDomain.C"
+#include "input/demDomainScene.C"
+#include "input/demRotatingFrame.C"
+#include "input/demSnapshot.C"

@@ -1,0 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "locate/demLocator.C"
+#include "locate/demLocatorWalk.C"
+#include "locate/demSlidingInterface.C"
+#include "locate/demParticleRouting.C"
+#include "locate/demParticleRoutingQuery.C"
+#include "locate/demWedge.C"

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/demTable.C"
+#include "output/demBudget.C"
+#include "output/demProgress.C"
+#include "output/demWriter.C"
+#include "output/demRecord.C"
+#include "output/demFields.C"
+#include "output/demFlowTable.C"
+#include "output/demLostParticles.C"
+#include "output/demBonds.C"
