@@ -17,7 +17,9 @@ void Foam::demCloud::advance
     const volScalarField& mu
 )
 {
+    budget_.beforePassing(gradP);
     volume_.passInletsOutlets(U);
+    budget_.countPassed(gradP);
     if (heat_.valid())
     {
         heat_().countPassed();

@@ -98,6 +98,7 @@ Foam::demExchange::demExchange
     transfer_(particles.transfer()),
     scheme_(particles.dict(), volumeAveraged),
     quantities_(particles),
+    ownWake_(particles),
     force_
     (
         demFieldAt(particles.mesh(), "dem:force"),
@@ -134,6 +135,7 @@ void Foam::demExchange::prepare()
     {
         dem_case_fluid_displaced(particles_.described(), particles_.fluidDensity());
     }
+    ownWake_.prepare(scheme_.wholeDrag());
 }
 
 
@@ -192,6 +194,7 @@ void Foam::demExchange::toParticles
           ? dem_fluid_slip_factor(particles_.core(), fluid_.void_fraction[i])
           : 1;
     }
+    ownWake_.toParticles();
 }
 
 
@@ -290,6 +293,7 @@ void Foam::demExchange::correct
     }
 
     particles_.refresh();
+    ownWake_.update(velocity);
     demCheck
     (
         dem_fluid_correct

@@ -36,7 +36,9 @@ Foam::demParticleBudget::demParticleBudget
     fluid_(particles.fluid()),
     budget_(particles.mesh().time(), particles.dict().coupling()),
     toFluid_(Zero),
-    onWalls_(Zero)
+    onWalls_(Zero),
+    mass_(0),
+    momentum_(Zero)
 {}
 
 
@@ -75,6 +77,59 @@ void Foam::demParticleBudget::begin(const bool volumeAveraged)
         FatalIOErrorInFunction(particles_.dict().coupling())
             << "coupling/record/budget is yes, but " << reason.c_str()
             << exit(FatalIOError);
+    }
+}
+
+
+// Of all particles, with the impulses owed to them
+void Foam::demParticleBudget::sumParticles
+(
+    const volVectorField& gradP,
+    scalar& mass,
+    vector& momentum
+) const
+{
+    mass = 0;
+    momentum = Zero;
+    if (particles_.react())
+    {
+        momentum =
+            demMomentumBalance::owed(fluid_)
+          + exchange_.owedPressureImpulse(exchange_.pressureImpulse(gradP));
+    }
+    vector own(Zero);
+
+    for (size_t i = 0; i < view_.n; i++)
+    {
+        const scalar m = *dem_at(view_.mass, view_.stride, i);
+        mass += m;
+        own += m*velocity(view_, i);
+    }
+    reduce(mass, sumOp<scalar>());
+    reduce(own, sumOp<vector>());
+    momentum += own;
+}
+
+
+void Foam::demParticleBudget::beforePassing(const volVectorField& gradP)
+{
+    if (budget_.on() && particles_.inletsOutlets().active())
+    {
+        sumParticles(gradP, mass_, momentum_);
+    }
+}
+
+
+void Foam::demParticleBudget::countPassed(const volVectorField& gradP)
+{
+    if (budget_.on() && particles_.inletsOutlets().active())
+    {
+        const scalar massBefore = mass_;
+        const vector momentumBefore(momentum_);
+
+        sumParticles(gradP, mass_, momentum_);
+        budget_.gain(demBudget::MASS, "passed", mass_ - massBefore);
+        budget_.gain("passed", momentum_ - momentumBefore);
     }
 }
 

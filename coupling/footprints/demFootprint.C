@@ -6,6 +6,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demFootprint.H"
+#include "volFields.H"
 #include "PstreamReduceOps.H"
 
 
@@ -240,6 +241,22 @@ void Foam::demFootprint::collect(const UList<Type>& cells, UList<Type>& values) 
         for (label k = start_[i]; k < start_[i + 1]; ++k)
         {
             sum += weight_[k]*cells[cell_[k]];
+        }
+    }
+    addRemote(remote, values);
+}
+
+
+void Foam::demFootprint::ownWeights(UList<scalar>& values) const
+{
+    scalarField remote(remote_.size(), Zero);
+    for (label i = 0; i < nLocal_ + remote.size(); ++i)
+    {
+        scalar& sum = i < nLocal_ ? values[i] : remote[i - nLocal_];
+        sum = 0;
+        for (label k = start_[i]; k < start_[i + 1]; ++k)
+        {
+            sum += sqr(weight_[k])/mesh_.V()[cell_[k]];
         }
     }
     addRemote(remote, values);

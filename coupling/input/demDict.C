@@ -60,7 +60,7 @@ void Foam::demDict::checkCoupling() const
         ({
             "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
             "kernel", "width", "base", "minVoidFraction", "record", "fields",
-            "lastGood", "equations", "mixtureFlux"
+            "lastGood", "equations", "mixtureFlux", "ownWake"
         })
     );
 }

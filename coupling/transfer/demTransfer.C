@@ -76,7 +76,8 @@ Foam::demTransfer::demTransfer
     outlets_(outlets),
     width_(0),
     minVoidFraction_(0),
-    diameter_(0)
+    diameter_(0),
+    knowsOwnWeights_(false)
 {
     demSlidingInterface::check(mesh);
     if (demWedge::is(mesh))
@@ -140,6 +141,7 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
         build();
     }
     limiter_().clear();
+    knowsOwnWeights_ = false;
     locator_().setPeriods(vector(view.period[0], view.period[1], view.period[2]));
     if (wedge_.valid())
     {
@@ -197,6 +199,19 @@ Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells)
         wedge_().rotateOut(tvalues.ref());
     }
     return tvalues;
+}
+
+
+const Foam::scalarField& Foam::demTransfer::ownWeights() const
+{
+    if (!knowsOwnWeights_)
+    {
+        ownWeights_.setSize(routing_().locations().size());
+        kernel_().ownWeights(routing_().locations(), ownWeights_);
+        routing_().toParticles(ownWeights_);
+        knowsOwnWeights_ = true;
+    }
+    return ownWeights_;
 }
 
 

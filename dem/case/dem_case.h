@@ -26,6 +26,7 @@ struct dem_case
     int exchanges;                              /* calls of dem_case_exchange_scalar, */
     char exchanged[DEM_SCALARS][48];            /* and their scalars */
     double displaced_density, fluid_density;    /* kg/m3  of the coupled fluid */
+    int own_wake;                               /* dem_case_fluid_own_wake */
 
     /* a snapshot */
     char load_path[1024];                       /* "": none */

@@ -257,6 +257,11 @@ void dem_case_fluid_displaced(struct dem_case *c, double density)
     c->displaced_density = density;
 }
 
+void dem_case_fluid_own_wake(struct dem_case *c)
+{
+    c->own_wake = 1;
+}
+
 void dem_case_fluid_density(struct dem_case *c, double density)
 {
     c->fluid_density = density;

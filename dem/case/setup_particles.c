@@ -224,6 +224,7 @@ static unsigned column_groups(const struct dem_case *c)
                     | (sums_bond_energy(r) ? DEM_GROUP_PAIR_ENERGY : 0)
                     | (c->orientation ? DEM_GROUP_ORIENTATION : 0)
                     | (under_relaxes(c) ? DEM_GROUP_UNDER_RELAXATION : 0)
+                    | (c->own_wake ? DEM_GROUP_OWN_WAKE : 0)
                     | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)

@@ -37,6 +37,7 @@ static const struct dem_column columns[DEM_COLUMNS] = {
                                      DEM_GROUP_FLUID | DEM_GROUP_UNDER_RELAXATION, NULL},
     [DEM_COLUMN_OWED_PRESSURE_IMPULSE] = {"owedPressureImpulse", 3,
                                           DEM_GROUP_FLUID | DEM_GROUP_UNDER_RELAXATION, NULL},
+    [DEM_COLUMN_OWN_WAKE] = {"ownWake", DEM_OWN_WAKE_WIDTH, DEM_GROUP_FLUID | DEM_GROUP_OWN_WAKE, NULL},
     [DEM_COLUMN_VOIDAGE_FACTOR_FIRST] = {"voidageFactorFirst", 1,
                                          DEM_GROUP_FLUID | DEM_GROUP_VOIDAGE_FACTOR, NULL},
     [DEM_COLUMN_VOIDAGE_FACTOR_SECOND] = {"voidageFactorSecond", 1,
@@ -57,7 +58,7 @@ static const struct dem_column columns[DEM_COLUMNS] = {
 enum
 {
     RECORD_DOUBLES = (int)(sizeof(struct dem_particle)/sizeof(double)),
-    WIDEST_COLUMN = 4
+    WIDEST_COLUMN = DEM_OWN_WAKE_WIDTH
 };
 
 struct spare                                              /* temporary copy of one particle */

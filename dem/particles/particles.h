@@ -42,6 +42,11 @@ enum dem_particle_flag
 };
 
 /* a column exists when the scene has all its groups */
+enum
+{
+    DEM_OWN_WAKE_WIDTH = 10           /* numbers of a particle in the column own_wake */
+};
+
 enum dem_column_group
 {
     DEM_GROUP_FLUID = 1,              /* effects that need a fluid */
@@ -57,6 +62,7 @@ enum dem_column_group
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
     DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
     DEM_GROUP_OUTLETS = 8192,         /* outlets that are regions */
+    DEM_GROUP_OWN_WAKE = 16384,       /* coupling that subtracts a particle's own wake */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
 };
 
@@ -92,6 +98,10 @@ enum dem_column_name
                                             0 before it is set */
     DEM_COLUMN_OWED_PRESSURE_IMPULSE,    /* N s  of the pressure gradient on the volume of the
                                             particle, not passed on yet; by the coupling */
+    DEM_COLUMN_OWN_WAKE,                 /* part of the fluid velocity that is the particle's own
+                                            wake, 3 [m/s]: body effects see the rest; 6 that the
+                                            coupling computes it from; part of the void fraction
+                                            above the cells' [1] */
     DEM_COLUMN_VOIDAGE_FACTOR_FIRST,     /* 1    voidage factors of drag laws in this window, */
     DEM_COLUMN_VOIDAGE_FACTOR_SECOND,    /*      functions of the fluid alone, laws/batch.h */
     DEM_COLUMN_ADDED_MASS,               /* kg   of this window */

@@ -50,7 +50,8 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .carried_over_impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE),
                             .under_relaxation = dem_column(p, DEM_COLUMN_UNDER_RELAXATION),
                             .owed_pressure_impulse =
-                                dem_column(p, DEM_COLUMN_OWED_PRESSURE_IMPULSE)};
+                                dem_column(p, DEM_COLUMN_OWED_PRESSURE_IMPULSE),
+                            .own_wake = dem_column(p, DEM_COLUMN_OWN_WAKE)};
     return DEM_OK;
 }
 
@@ -103,6 +104,7 @@ double dem_fluid_under_relax(struct dem *d)
     const struct dem_particles *const p = &d->state.particles;
     const double *const added = dem_column(p, DEM_COLUMN_ADDED_MASS);
     const double *const void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION);
+    const double *const own = dem_column(p, DEM_COLUMN_OWN_WAKE);
     const double *const density = dem_column(p, DEM_COLUMN_FLUID_DENSITY);
     const double *const transmitted = dem_column(p, DEM_COLUMN_DRAG_FRACTION);
     double *const factor = dem_column(p, DEM_COLUMN_UNDER_RELAXATION);
@@ -113,8 +115,10 @@ double dem_fluid_under_relax(struct dem *d)
         const struct dem_particle *const r = &p->record[i];
         const double displaced = density[i]*dem_particle_volume(r);
         const int moves = r->inverse_mass > 0.0 && displaced > 0.0;
+        const double of_cells =
+            void_fraction[i] - (own ? own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_WIDTH - 1] : 0.0);
 
-        factor[i] = moves ? dem_exchange_under_relaxation(void_fraction[i], r->mass/displaced,
+        factor[i] = moves ? dem_exchange_under_relaxation(of_cells, r->mass/displaced,
                                                           added ? added[i]/displaced : 0.0,
                                                           transmitted[i])
                           : 1.0;

@@ -185,6 +185,16 @@ void dem_body_batch_gather(struct dem_body_workspace *work, const struct dem_par
     gather_forces(work, rows);
 }
 
+static void subtract_own_wake(struct dem_body_batch *batch, const double *wake, int rows)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        batch->ux[c] -= wake[DEM_OWN_WAKE_WIDTH*c];
+        batch->uy[c] -= wake[DEM_OWN_WAKE_WIDTH*c + 1];
+        batch->uz[c] -= wake[DEM_OWN_WAKE_WIDTH*c + 2];
+    }
+}
+
 /* The fluid's velocity at a particle is the mean flow's plus the velocity of the eddy around it. */
 static void add_fluctuations(struct dem_body_batch *batch, const struct dem_particles *particles,
                              size_t first, int rows)
@@ -216,6 +226,10 @@ void dem_body_batch_gather_fluid(struct dem_body_workspace *work,
         {
             split(from + 3*first, rows, to, to + DEM_BATCH_ROWS, to + 2*DEM_BATCH_ROWS);
         }
+    }
+    if (dem_column(particles, DEM_COLUMN_OWN_WAKE))
+    {
+        subtract_own_wake(batch, dem_column(particles, DEM_COLUMN_OWN_WAKE) + DEM_OWN_WAKE_WIDTH*first, rows);
     }
     for (size_t k = 0; k < sizeof scalars/sizeof scalars[0]; k++)
     {

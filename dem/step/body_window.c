@@ -140,6 +140,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
                            double window)
 {
     const double *const u = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY),
+                        *const wake = dem_column(particles, DEM_COLUMN_OWN_WAKE),
                         *const start = dem_column(particles, DEM_COLUMN_START_VELOCITY);
     const double *const J = dem_column(particles, DEM_COLUMN_DRAG_IMPULSE);
 
@@ -157,7 +158,8 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
         dem_eddies_velocity(particles, i, eddy);
         for (size_t k = 3*i; k < 3*i + 3; k++)
         {
-            const double w = u[k] + eddy[k - 3*i] - start[k];
+            const double own = wake ? wake[DEM_OWN_WAKE_WIDTH*i + k - 3*i] : 0.0;
+            const double w = u[k] - own + eddy[k - 3*i] - start[k];
 
             slip += w*w;
             impulse += J[k]*J[k];

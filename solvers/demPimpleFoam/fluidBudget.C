@@ -9,6 +9,7 @@
 #include "fvc.H"
 #include "fvm.H"
 #include "emptyFvPatch.H"
+#include "jumpCyclicFvPatchFields.H"
 
 void Foam::fluidBudget::keepFluxes()
 {
@@ -164,6 +165,26 @@ void Foam::fluidBudget::afterCorrector
 }
 
 
+// On the fluid in this step; returns the impulse [N s]
+Foam::vector Foam::fluidBudget::addPressure(const volScalarField& p, const label patchi)
+{
+    const scalar rhoDeltaT = rho_*mesh().time().deltaTValue();
+    const fvPatch& patch = mesh().boundary()[patchi];
+    const scalarField& pp = p.boundaryField()[patchi];
+    const scalarField& flux = alphaPhi_.boundaryField()[patchi];
+    const vector impulse(-rhoDeltaT*gSum((patch.Sf()*pp)()));
+
+    budget_.gain("pressure:" + patch.name(), impulse);
+    budget_.gain
+    (
+        demBudget::ENERGY,
+        "pressure:" + patch.name(),
+        -rhoDeltaT*gSum((pp*flux)())
+    );
+    return impulse;
+}
+
+
 void Foam::fluidBudget::endStep
 (
     const volScalarField& p,
@@ -193,21 +214,21 @@ void Foam::fluidBudget::endStep
     {
         const fvPatch& patch = mesh().boundary()[patchi];
 
+        if (isA<jumpCyclicFvPatchScalarField>(p.boundaryField()[patchi]))
+        {
+            faces -= addPressure(p, patchi);
+        }
         if (!isCounted(patch))
         {
             continue;
         }
 
         const scalarField& flux = alphaPhi_.boundaryField()[patchi];
-        const scalarField& pp = p.boundaryField()[patchi];
         const vectorField& Up = U_.boundaryField()[patchi];
-        const vector pressureImpulse(-rhoDeltaT*gSum((patch.Sf()*pp)()));
 
-        faces -= pressureImpulse;
-
+        faces -= addPressure(p, patchi);
         budget_.gain("flow:" + patch.name(), rhoDeltaT*flow_[patchi]);
         budget_.gain("stress:" + patch.name(), rhoDeltaT*stress_[patchi]);
-        budget_.gain("pressure:" + patch.name(), pressureImpulse);
         budget_.gain
         (
             demBudget::VOLUME,
@@ -219,12 +240,6 @@ void Foam::fluidBudget::endStep
             demBudget::ENERGY,
             "flow:" + patch.name(),
             -rhoDeltaT*gSum((0.5*flux*magSqr(Up))())
-        );
-        budget_.gain
-        (
-            demBudget::ENERGY,
-            "pressure:" + patch.name(),
-            -rhoDeltaT*gSum((pp*flux)())
         );
     }
 

@@ -3,6 +3,8 @@
 - Momentum changes by the flux through patches, by walls, weight and supports, to round-off: on hexahedra, on
   tetrahedra, on four ranks. On hexahedra the momentum that cells get from faces equals the particles' and the
   pressure's.
+- Particles that enter and leave bring and take mass and momentum, the column `passed`.
+- A jump of the pressure (fixedJump) drives the flow by its force.
 - The volume of the fluid is conserved, and energy does not grow.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -75,6 +77,45 @@ claims_of("four ranks", case)
 # linear solvers, and particles that touch earlier or later
 claim("four ranks: the fluid has the momentum that it has on one",
       close(account(case, "pz")["fluid"], alone["fluid"], 1e-6))
+
+# ---- streams and outlets ---------------------------------------------------------------------------
+
+case = Case("streams", source="flows")
+case.sub("constant/demProperties", "rho     1000;", "rho 1000; record { interval 0.001; budget yes; }")
+case.sub("system/controlDict", r"^functions[\s\S]*", "")
+case.run("blockMesh")
+case.run("demPimpleFoam")
+claim_ran("streams: runs", case)
+mass, table = account(case, "mass"), case.table(budget)
+claim("streams: mass closes", mass["passed"] > 1e-4 and share(mass, "rest") < 1e-12)
+entering = table["time"] < 0.059                      # some 170 particles; later steps, as particles leave, have a rest
+passed = largest(table["passed.px"])
+for axis in "xyz":
+    rest = table[f"rest.p{axis}"]
+    claim(f"streams: momentum closes while particles enter, {axis}",
+          entering.sum() > 30 and largest(rest[entering]) < 1e-12*passed, largest(rest[entering]), passed)
+    claim(f"streams: momentum closes to 1e-3 of what has passed, {axis}", abs(rest[-1]) < 1e-3*passed, rest[-1])
+
+# ---- a jump of the pressure ------------------------------------------------------------------------
+
+case = Case("jump")
+for patch, other, jump in (("inlet", "outlet", 0.05), ("outlet", "inlet", 0)):
+    case.sub("system/blockMeshDict", f"{patch} {{ type patch;", f"{patch} {{ type cyclic; neighbourPatch {other};")
+    case.sub("0/U", f"{patch} {{.*", f"{patch} {{ type cyclic; }}")
+    case.sub("0/p", f"{patch} {{.*", f"{patch} {{ type fixedJump; patchType cyclic; jump uniform {jump}; value uniform 0; }}")
+case.sub("constant/demProperties", "^domain .*", "")
+case.run("blockMesh")
+case.run("demPimpleFoam")
+claim_ran("jump: runs", case)
+for axis in "xyz":
+    momentum = account(case, "p" + axis)
+    claim(f"jump: momentum closes, {axis}", share(momentum, "rest") < 1e-12)
+    claim(f"jump: nothing is lost between faces and cells, {axis}", share(momentum, "faces") < 1e-12)
+terms, table = account(case, "pz"), case.table(budget)
+drive = 1000*0.05*0.011**2*(table["time"][-1] - table["since"][-1])
+claim("jump: the pressure of the two patches is the force of the jump",
+      close(abs(terms["pressure:inlet"] + terms["pressure:outlet"]), drive, 1e-9),
+      terms["pressure:inlet"] + terms["pressure:outlet"], drive)
 
 # ---- other meshes ----------------------------------------------------------------------------------
 

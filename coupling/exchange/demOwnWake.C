@@ -1,0 +1,260 @@
+/*---------------------------------------------------------------------------*\
+    demOwnWake.C -- own volume and own wake of the particles.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demOwnWake.H"
+#include "demColumns.H"
+#include "turbulenceModel.H"
+
+namespace Foam
+{
+
+using constant::mathematical::pi;
+
+//- Numbers of a particle in the column own_wake: wake, two memories, own part of e
+static const label width = 10;
+
+//- xi: longitudinal part of q; 0.17 for linear, up to 1/3 for kernels so wide that V q is small
+static const scalar longitudinal = 0.17;
+
+//- chi: structure factor S(0) of a random suspension of hard spheres, Percus and Yevick
+static scalar structure(const scalar s)
+{
+    return pow4(1 - s)/sqr(1 + 2*s);
+}
+
+
+//- X
+static scalar partOfOwn(const scalar chi, const scalar own)
+{
+    return chi + (1 - chi)*own/(own + 0.4);
+}
+
+
+//- Void fraction from the sampled one and the own part
+static scalar withoutOwn(const scalar sampled, const scalar own)
+{
+    const scalar read = 1 - sampled;
+    scalar s = max(read - own, scalar(0));      // of a lone particle
+
+    for (label pass = 0; pass < 3; ++pass)
+    {
+        const scalar chi = structure(s);
+        s = max(read - own*partOfOwn(chi, own), scalar(0));
+    }
+    return 1 - s;
+}
+
+
+static uint16_t flagsOf(const struct ::dem_view& view, const label i)
+{
+    const char* first = reinterpret_cast<const char*>(view.flags);
+    return *reinterpret_cast<const uint16_t*>(first + view.stride*size_t(i));
+}
+
+
+//- b [m] of the Gaussian with this q
+static scalar radiusOf(const scalar q)
+{
+    return 1/(std::cbrt(q)*std::sqrt(2*pi));
+}
+
+} // End namespace Foam
+
+
+bool Foam::demOwnWake::isActive(const demParticles& particles)
+{
+    return
+        particles.dict().coupling().getOrDefault("ownWake", false)
+     && particles.mesh().nGeometricD() == 3;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::demOwnWake::grains() const
+{
+    const int k = dem_scalar_index(particles_.core(), "parcelRatio");
+    tmp<scalarField> tn(new scalarField(view_.n, 1));
+
+    for (size_t i = 0; k >= 0 && i < view_.n; i++)
+    {
+        tn.ref()[i] = pow3(dem_scalar(particles_.core(), k)[i]);
+    }
+    return tn;
+}
+
+
+Foam::vector Foam::demOwnWake::wake(const label i) const
+{
+    const double* w = fluid_.own_wake + width*i;
+    return vector(w[0], w[1], w[2]);
+}
+
+
+Foam::vector Foam::demOwnWake::slip(const label i) const
+{
+    return vectorAt(fluid_.velocity, i) - wake(i) - velocity(view_, i);
+}
+
+
+Foam::scalar Foam::demOwnWake::reynolds(const label i, const scalar b) const
+{
+    const scalar speed = mag(slip(i));
+    const scalar R = speed*b*fluid_.density[i]/viscosity_[i];
+    const scalar carried = min(1, mag(wake(i))/(speed + VSMALL));
+    return R*(1 - 0.5*carried*R/(1 + R));
+}
+
+
+Foam::scalar Foam::demOwnWake::screening
+(
+    const label i,
+    const scalar e,
+    const scalar b
+) const
+{
+    const scalar speed = mag(slip(i));
+    const scalar drag = fluid_.drag_time[i]/particles_.window();
+    const scalar radius = *dem_at(view_.radius, view_.stride, i);
+    const scalar volume = 4.0/3.0*pi*pow3(radius);
+    const scalar mass = *dem_at(view_.mass, view_.stride, i);
+    const scalar A = std::sqrt((1 - e)*drag/(volume*viscosity_[i]*e))*b;
+    const bool frozen = flagsOf(view_, i) & 1;
+    const scalar a = frozen ? 1 : mass*speed/(mass*speed + drag*b + VSMALL);
+
+    return (1 - a)/(1 + 0.4*sqr(A)) + a*std::pow(1 + 0.768*A, -1.49);
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::demOwnWake::effectiveViscosity() const
+{
+    tmp<scalarField> tmu(new scalarField(view_.n));
+    scalarField& mu = tmu.ref();
+
+    forAll(mu, i)
+    {
+        mu[i] = fluid_.viscosity[i];
+    }
+    const turbulenceModel* model =
+        particles_.mesh().findObject<turbulenceModel>(turbulenceModel::propertiesName);
+
+    if (model && word(model->lookup("simulationType")) != "laminar")
+    {
+        const scalarField nut(particles_.sample(model->nut()()));
+        forAll(mu, i)
+        {
+            mu[i] += fluid_.density[i]*nut[i];
+        }
+    }
+    return tmu;
+}
+
+
+Foam::demOwnWake::demOwnWake(const demParticles& particles)
+:
+    particles_(particles),
+    view_(particles.view()),
+    fluid_(particles.fluid()),
+    active_(isActive(particles)),
+    reads_(0)
+{}
+
+
+void Foam::demOwnWake::prepare(const bool wholeDrag)
+{
+    if (active_)
+    {
+        dem_case_fluid_own_wake(particles_.described());
+    }
+    if (particles_.volumeAveraged())
+    {
+        reads_ = wholeDrag ? 1 : 2;
+    }
+}
+
+
+void Foam::demOwnWake::toParticles()
+{
+    if (!active_)
+    {
+        return;
+    }
+    if (!fluid_.own_wake || particles_.window() <= 0)      // the plan, before the first step
+    {
+        return;
+    }
+    const bool wakes = particles_.twoWay() && particles_.interval() <= 0;
+    const scalarField& q = particles_.transfer().ownWeights();
+    const scalarField own(volumes(view_)*q/grains());
+
+    viscosity_ = effectiveViscosity();
+    forAll(q, i)
+    {
+        double* column = fluid_.own_wake + width*i;
+        const scalar read = fluid_.void_fraction[i];
+        fluid_.void_fraction[i] = withoutOwn(read, own[i]);
+        column[9] = fluid_.void_fraction[i] - read;
+        if (wakes)
+        {
+            setWake(i, q[i], own[i]);
+        }
+    }
+}
+
+
+void Foam::demOwnWake::setWake(const label i, const scalar q, const scalar own)
+{
+    const scalar e = max(fluid_.void_fraction[i], scalar(0.1));
+    const scalar b = radiusOf(q);
+    const scalar R = reynolds(i, b);
+    const scalar chi = structure(1 - e);
+    const scalar drag =
+        std::sqrt(std::cbrt(q))*chi*screening(i, e, b)
+       /(std::sqrt(1 + 0.920*R + 0.282*sqr(R))*3*pi*viscosity_[i]*e);
+    const scalar displaced = reads_*longitudinal*own*partOfOwn(chi, own)/e;
+    const vector slip(this->slip(i));
+
+    double* column = fluid_.own_wake + width*i;
+    for (direction k = 0; k < 3; ++k)
+    {
+        column[k] = drag*(0.6*column[3 + k] + 0.4*column[6 + k]) + displaced*slip[k];
+    }
+}
+
+
+void Foam::demOwnWake::update(const UList<vector>& velocity)
+{
+    if (!fluid_.own_wake || !particles_.twoWay() || particles_.interval() > 0)
+    {
+        return;
+    }
+    const scalar T = particles_.window();
+    const scalarField& q = particles_.transfer().ownWeights();
+    const scalarField n(grains());
+
+    viscosity_ = effectiveViscosity();
+    forAll(q, i)
+    {
+        const scalar b = radiusOf(q[i]);
+        const scalar nu = viscosity_[i]/fluid_.density[i];
+        const scalar R = reynolds(i, b);
+        const scalar fast = T*(1.1 + R)*nu/sqr(b);
+        const scalar slow = T*(0.03 + 0.33*R)*nu/sqr(b);
+        const vector F
+        (
+            -(
+                impulse(fluid_, i)
+              + fluid_.response[i]*(velocity[i] - vectorAt(fluid_.velocity, i))
+             )/(T*n[i])
+        );
+        const vector part(std::sqrt(std::cbrt(q[i]))*F);
+
+        double* phi = fluid_.own_wake + width*i + 3;
+        for (direction k = 0; k < 3; ++k)
+        {
+            phi[k] = (phi[k] + fast*part[k])/(1 + fast);
+            phi[3 + k] = (phi[3 + k] + slow*part[k])/(1 + slow);
+        }
+    }
+}
