@@ -88,7 +88,7 @@ case.run("demPimpleFoam")
 claim_ran("streams: runs", case)
 mass, table = account(case, "mass"), case.table(budget)
 claim("streams: mass closes", mass["passed"] > 1e-4 and share(mass, "rest") < 1e-12)
-entering = table["time"] < 0.059                      # some 170 particles; later steps, as particles leave, have a rest
+entering = table["time"] < 0.059                      # some 170 particles; later steps have a rest, whose cause is not known
 passed = largest(table["passed.px"])
 for axis in "xyz":
     rest = table[f"rest.p{axis}"]
