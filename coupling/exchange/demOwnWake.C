@@ -14,7 +14,7 @@ namespace Foam
 using constant::mathematical::pi;
 
 //- Numbers of a particle in the column own_wake: wake, two memories, own part of e
-static const label width = 10;
+static const label width = DEM_OWN_WAKE_WIDTH;
 
 //- xi: longitudinal part of q; 0.17 for linear, up to 1/3 for kernels so wide that V q is small
 static const scalar longitudinal = 0.17;
@@ -48,13 +48,6 @@ static scalar withoutOwn(const scalar sampled, const scalar own)
 }
 
 
-static uint16_t flagsOf(const struct ::dem_view& view, const label i)
-{
-    const char* first = reinterpret_cast<const char*>(view.flags);
-    return *reinterpret_cast<const uint16_t*>(first + view.stride*size_t(i));
-}
-
-
 //- b [m] of the Gaussian with this q
 static scalar radiusOf(const scalar q)
 {
@@ -62,14 +55,6 @@ static scalar radiusOf(const scalar q)
 }
 
 } // End namespace Foam
-
-
-bool Foam::demOwnWake::isActive(const demParticles& particles)
-{
-    return
-        particles.dict().coupling().getOrDefault("ownWake", false)
-     && particles.mesh().nGeometricD() == 3;
-}
 
 
 Foam::tmp<Foam::scalarField> Foam::demOwnWake::grains() const
@@ -116,12 +101,9 @@ Foam::scalar Foam::demOwnWake::screening
 {
     const scalar speed = mag(slip(i));
     const scalar drag = fluid_.drag_time[i]/particles_.window();
-    const scalar radius = *dem_at(view_.radius, view_.stride, i);
-    const scalar volume = 4.0/3.0*pi*pow3(radius);
     const scalar mass = *dem_at(view_.mass, view_.stride, i);
-    const scalar A = std::sqrt((1 - e)*drag/(volume*viscosity_[i]*e))*b;
-    const bool frozen = flagsOf(view_, i) & 1;
-    const scalar a = frozen ? 1 : mass*speed/(mass*speed + drag*b + VSMALL);
+    const scalar A = std::sqrt((1 - e)*drag/(volume(view_, i)*viscosity_[i]*e))*b;
+    const scalar a = isFrozen(view_, i) ? 1 : mass*speed/(mass*speed + drag*b + VSMALL);
 
     return (1 - a)/(1 + 0.4*sqr(A)) + a*std::pow(1 + 0.768*A, -1.49);
 }
@@ -156,14 +138,17 @@ Foam::demOwnWake::demOwnWake(const demParticles& particles)
     particles_(particles),
     view_(particles.view()),
     fluid_(particles.fluid()),
-    active_(isActive(particles)),
     reads_(0)
 {}
 
 
 void Foam::demOwnWake::prepare(const bool wholeDrag)
 {
-    if (active_)
+    if
+    (
+        particles_.dict().coupling().getOrDefault("ownWake", false)
+     && particles_.mesh().nGeometricD() == 3
+    )
     {
         dem_case_fluid_own_wake(particles_.described());
     }
@@ -176,10 +161,6 @@ void Foam::demOwnWake::prepare(const bool wholeDrag)
 
 void Foam::demOwnWake::toParticles()
 {
-    if (!active_)
-    {
-        return;
-    }
     if (!fluid_.own_wake || particles_.window() <= 0)      // the plan, before the first step
     {
         return;

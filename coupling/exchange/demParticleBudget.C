@@ -152,17 +152,12 @@ void Foam::demParticleBudget::addParticles()
     {
         const scalar m = *dem_at(view_.mass, view_.stride, i);
         const double* x = dem_at(view_.position, view_.stride, i);
-        const uint16_t flags =
-            *reinterpret_cast<const uint16_t*>
-            (
-                reinterpret_cast<const char*>(view_.flags) + view_.stride*i
-            );
         const vector displaced
         (
             particles_.react() ? fluid_.density[i]*V[i]*g : vector::zero
         );
 
-        if (flags & 1)
+        if (isFrozen(view_, i))
         {
             if (particles_.react())
             {

@@ -264,8 +264,8 @@ public:
         b_ = b;
     }
 
-    //- Of a Gaussian deposited and read: in each direction the variance is b^2 and that of
-    //  two cells, h^2/6, at least that of the base, 0.53 h^2. Within 3 % away from walls
+    //- As for a Gaussian that deposits and samples. Variance in each direction: b^2 plus h^2/6
+    //  for the two cells, at least 0.53 h^2 as for the base. Within 3 % away from walls
     virtual void ownWeights(const UList<demCellLocation>& at, UList<scalar>& q) const
     {
         if (b_ <= 0)

@@ -45,6 +45,13 @@ struct dem_new_particle
     int frozen;                                /* 1: never moves; others collide with it */
 };
 
+/* ---- fluid ----------------------------------------------------------------------------------- */
+
+enum
+{
+    DEM_OWN_WAKE_WIDTH = 10  /* numbers of a particle in own_wake of struct dem_fluid */
+};
+
 /* ---- advance --------------------------------------------------------------------------------- */
 
 /* time step of a scene: dem_step_limit */

@@ -11,6 +11,7 @@
 #ifndef DEM_PARTICLES_PARTICLES_H
 #define DEM_PARTICLES_PARTICLES_H
 
+#include "dem_types.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -42,11 +43,6 @@ enum dem_particle_flag
 };
 
 /* a column exists when the scene has all its groups */
-enum
-{
-    DEM_OWN_WAKE_WIDTH = 10           /* numbers of a particle in the column own_wake */
-};
-
 enum dem_column_group
 {
     DEM_GROUP_FLUID = 1,              /* effects that need a fluid */

@@ -158,7 +158,7 @@ def tell_cooling(table, run, start):
     middle, rate = run.rate(WINDOW)
     chosen = rate[middle > start]
     mean, half = results.mean_of_blocks(chosen, max(3, min(8, len(chosen)//5)))
-    table.add("cooling", f"rate of heat loss over that of perfect exchange, from {start:g} s", 1, mean,
+    table.add("cooling", f"rate of heat loss relative to perfect exchange, from {start:g} s", 1, mean,
               half, "", 0.1, name)
     table.add("cooling", f"mean temperature of the beads at {end:g} s", closed["perfect"] - ZERO,
               run.mean[-1] - ZERO, None, "C", None, name)
@@ -191,7 +191,7 @@ def tell_rest(table, run):
     """The short form: the bed has not begun to bubble, and all air passes through it."""
     end = run.time[-1]
     middle, rate = run.rate(0.25*end)
-    table.add("cooling", "rate of heat loss over that of perfect exchange, last quarter", 1, rate[-1],
+    table.add("cooling", "rate of heat loss relative to perfect exchange, last quarter", 1, rate[-1],
               None, "", 0.05, "air leaves at the mean of the beads")
 
 
