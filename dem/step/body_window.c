@@ -156,12 +156,12 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
 
     for (size_t i = 0; u && i < particles->n; i++)
     {
-        const double free =
+        const double free =    /* m E */
             particles->record[i].inverse_mass > 0.0
                 ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/
                       particles->record[i].inverse_mass
                 : 0.0;
-        const double held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i];
+        const double held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i];    /* B */
         const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i];
         double slip = 0.0, impulse = 0.0, eddy[3];
 
