@@ -1,5 +1,5 @@
 /*
- * effects.h -- the list of all effects. A new file needs a row here and a line in dem/Make/files.
+ * effects.h -- the list of all effects. A new law needs a row here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
