@@ -22,7 +22,7 @@
 
 enum
 {
-    N = 1500
+    N = 1000
 };
 
 static const double gap = 0.2;                            /* m: of the outer list */
