@@ -86,7 +86,6 @@ static int scene(const char *effects, const char *pairs)
     status = status ? status : dem_start(&c, &d);
     dem_case_free(c);
     dem_free(d);
-    free(text);
     return status;
 }
 

@@ -25,15 +25,11 @@ struct scene
 static struct dem *start(const struct scene *s, double step, int n,
                          const struct dem_new_particle *seed)
 {
-    char *const text = world_text(
+    return energy_world(world_text(
         "materials { glass { density %g; youngsModulus 1e7; poissonsRatio 0.3; } } "
         "effects { %s } %s "
         "time { step %.17g; force yes; }",
-        s->density, s->effects, s->more, step);
-    struct dem *const d = energy_world(text, n, seed);
-
-    free(text);
-    return d;
+        s->density, s->effects, s->more, step), n, seed);
 }
 
 static double kinetic(struct dem *d)
@@ -63,13 +59,9 @@ static void quarter(const char *law, const char *term, int spins)
         for (int phase = 0; phase < 8; phase++)
         {
             const struct dem_new_particle seed = {
-                .position = {0.0, 0.0,
-                             R + V*step*(phase + 0.5)/8.0},
-                .velocity = {spins ? 0.0 : U, 0.0, -V},
-                .spin = {0.0, spins ? U/R : 0.0, 0.0},
-                .diameter = 2.0*R,
-                .id = -1,
-                .material = "glass"};
+                .position = {0.0, 0.0, R + V*step*(phase + 0.5)/8.0},
+                .velocity = {spins ? 0.0 : U, 0.0, -V}, .spin = {0.0, spins ? U/R : 0.0, 0.0},
+                .diameter = 2.0*R, .id = -1, .material = "glass"};
             struct dem *const d = start(&s, step, 1, &seed);
 
             world_run(d, 1.05*swing);
@@ -104,16 +96,10 @@ static void impacts(const struct scene *s, double step, double other, double res
     for (int angle = 5; angle <= 65; angle += 5)
     {
         const double a = angle*world_pi/180.0, phase = (n*0.618034 - floor(n*0.618034))*step;
-        const struct dem_new_particle seed[2] = {{.position = {0.0, 0.0, R + phase},
-                                                  .velocity = {sin(a), 0.0, -cos(a)},
-                                                  .spin = {200.0, -100.0, 300.0},
-                                                  .diameter = 2.0*R,
-                                                  .id = -1,
-                                                  .material = "glass"},
-                                                 {.position = {0.0, 0.0, -other},
-                                                  .diameter = 2.0*other,
-                                                  .id = -1,
-                                                  .material = "glass"}};
+        const struct dem_new_particle seed[2] = {
+            {.position = {0.0, 0.0, R + phase}, .velocity = {sin(a), 0.0, -cos(a)},
+             .spin = {200.0, -100.0, 300.0}, .diameter = 2.0*R, .id = -1, .material = "glass"},
+            {.position = {0.0, 0.0, -other}, .diameter = 2.0*other, .id = -1, .material = "glass"}};
         struct dem *const d = start(s, step, other > 0.0 ? 2 : 1, seed);
         const double before = kinetic(d);
 
@@ -159,12 +145,9 @@ static double rolls(double step, double *lost)
                  sinks =
                      pow(m*9.81/(4.0/3.0*0.5*E/(1.0 - nu*nu)*sqrt(R)), 2.0/3.0),
                  v = 0.05;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - sinks},
-                                          .velocity = {v, 0.0, 0.0},
-                                          .spin = {0.0, v/(R - sinks), 0.0},
-                                          .diameter = 2.0*R,
-                                          .id = -1,
-                                          .material = "glass"};
+    const struct dem_new_particle seed = {
+        .position = {0.0, 0.0, R - sinks}, .velocity = {v, 0.0, 0.0},
+        .spin = {0.0, v/(R - sinks), 0.0}, .diameter = 2.0*R, .id = -1, .material = "glass"};
     struct dem *const d = start(&s, step, 1, &seed);
     const double before = kinetic(d);
 

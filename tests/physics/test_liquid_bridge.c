@@ -82,13 +82,7 @@ static struct dem *pull_apart(const struct pulled *w, double speed)
     char *const other = world_text(
         "b { type list; diameter %.17g; positions ((0 0 %.17g)); liquidVolume %.17g; }",
         2.0*w->radius[1], -w->radius[1], w->film[1]);
-    char *const scene = world_text(text, wall ? "" : other);
-    struct dem *const d = world(scene, 0, NULL);
-
-    free(text);
-    free(other);
-    free(scene);
-    return d;
+    return world(world_text(text, wall ? "" : other), 0, NULL);
 }
 
 static void test_force(const struct pulled *w)
@@ -183,18 +177,14 @@ static const double mu = 0.1, roughness = 1e-6;
 /* Heavy spheres, which the forces hardly slow; no surface tension. v: velocity of the first. */
 static struct dem *viscous(const char *more, double gap, const double v[3])
 {
-    char *const text = world_text(
+    return world(world_text(
         "materials { lead { density 1e9; youngsModulus 1e7; } }"
         "effects { liquidBridge { surfaceTension 0; viscosity %.17g; roughness %.17g; %s } }"
         "time { step %.17g; force yes; }"
         "insert { a { type list; diameter %.17g; positions ((%.17g 0 0)); "
         "velocity (%.17g %.17g %.17g); liquidVolume 1e-11; }"
         "b { type list; diameter %.17g; positions ((0 0 0)); liquidVolume 1e-11; } }",
-        mu, roughness, more, step, 2.0*R, 2.0*R + gap, v[0], v[1], v[2], 2.0*R);
-    struct dem *const d = world(text, 0, NULL);
-
-    free(text);
-    return d;
+        mu, roughness, more, step, 2.0*R, 2.0*R + gap, v[0], v[1], v[2], 2.0*R), 0, NULL);
 }
 
 static void test_viscous(void)
@@ -247,7 +237,7 @@ static double work(double mean, double V, double angle)
 
 static struct dem *collide(double speed, double dt)
 {
-    char *const text = world_text(
+    struct dem_case *const c = world_begin(world_text(
         "materials { glass { density 2500; youngsModulus 1e7; } }"
         "effects { hertz { } liquidBridge { surfaceTension %.17g; contactAngle 20; } }"
         "time { step %.17g; }"
@@ -255,13 +245,10 @@ static struct dem *collide(double speed, double dt)
         "liquidVolume 1e-11; }"
         "b { type list; diameter %.17g; positions ((%.17g 0 0)); velocity (%.17g 0 0); "
         "liquidVolume 1e-11; } }",
-        tension, dt, 2.0*R, 0.5*speed, 2.0*R, 2.0*R + 2e-5, -0.5*speed);
-    struct dem_case *const c = world_begin(text);
+        tension, dt, 2.0*R, 0.5*speed, 2.0*R, 2.0*R + 2e-5, -0.5*speed));
 
-    free(text);
     WORLD_TRY(dem_case_enable_energy(c));
-    struct dem *const d = world_start(c);
-    return d;
+    return world_start(c);
 }
 
 static void test_loop(void)
@@ -313,14 +300,12 @@ static void test_twelve(void)
         x[(axis + 2)%3] = k & 2 ? pitch : -pitch;
         snprintf(positions + strlen(positions), 128, "(%.17g %.17g %.17g) ", x[0], x[1], x[2]);
     }
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "materials { glass { density 2500; youngsModulus 1e7; } }"
         "effects { hertz { } liquidBridge { surfaceTension %.17g; } } time { step 1e-6; }"
         "insert { a { type list; diameter %.17g; positions (%s); liquidVolume %.17g; } }",
-        tension, 2.0*R, positions, film);
-    struct dem *const d = world(text, 0, NULL);
+        tension, 2.0*R, positions, film), 0, NULL);
 
-    free(text);
     TAP_NEAR(on_particles(d, -1), 13.0*film, 1e-25, "at first all liquid is on the particles");
     world_run(d, 2e-6);
     TAP_NEAR(on_particles(d, 0)/film, 1.0 - 12.0*facing(R, R), 1e-12,
@@ -352,7 +337,7 @@ static void angular_momentum(struct dem *d, double L[3])
 static double oblique(double dt, int tell)
 {
     double before[3] = {0.0}, after[3] = {0.0}, worst = 0.0;
-    char *const text = world_text(
+    struct dem_case *const c = world_begin(world_text(
         "materials { glass { density 2500; youngsModulus 1e7; } }"
         "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.3; } "
         "liquidBridge { surfaceTension 0.072; contactAngle 30; viscosity 0.01; roughness 1e-5; } }"
@@ -360,10 +345,8 @@ static double oblique(double dt, int tell)
         "insert { a { type list; diameter 2e-3; positions ((0 0 0)); velocity (0.4 0.1 0); "
         "liquidVolume 2e-11; }"
         "b { type list; diameter 1.4e-3; positions ((1.4e-3 1e-3 2e-4)); "
-        "velocity (-0.2 -0.1 -0.1); liquidVolume 1e-11; } }", dt);
-    struct dem_case *const c = world_begin(text);
+        "velocity (-0.2 -0.1 -0.1); liquidVolume 1e-11; } }", dt));
 
-    free(text);
     WORLD_TRY(dem_case_enable_energy(c));
     struct dem *const d = world_start(c);
     angular_momentum(d, before);
@@ -408,8 +391,6 @@ static void refused(const char *effects, const char *more, const char *entry, co
     WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
     TAP_OK((dem_case_scene_text(c, scene, "scene") || dem_start(&c, &d)) && strstr(dem_error_text(), words),
            "refused: %s", dem_error_text());
-    free(text);
-    free(scene);
     dem_free(d);
 }
 

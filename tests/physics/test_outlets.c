@@ -136,7 +136,6 @@ static void test_paths(const char *what, const char *domain, const char *outlet,
            "%s: %d of %d paths meet it, %lld are removed, %d of them wrongly", what, expected, N,
            (long long)removed(d, 0), wrong);
     dem_free(d);
-    free(text);
 }
 
 static void test_shapes(void)
@@ -169,9 +168,9 @@ static void test_shapes(void)
 
 static struct dem_new_particle falling(int64_t id, double z)
 {
-    return (struct dem_new_particle){.id = id, .diameter = diameter, .material = "glass",
-                                     .position = {(double)id*1e-3, 0.0, z},
-                                     .velocity = {0.0, 0.0, -10.0}};
+    return (struct dem_new_particle){
+        .id = id, .diameter = diameter, .material = "glass", .position = {(double)id*1e-3, 0.0, z},
+        .velocity = {0.0, 0.0, -10.0}};
 }
 
 static void test_start(void)

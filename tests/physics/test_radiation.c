@@ -30,16 +30,13 @@ static double gain(double R, double L, double l, double e, const char *settings)
     char *const other = L > 0.0 ? world_text("b { type list; frozen yes; diameter %.17g; positions "
                                              "((%.17g 0 0)); temperature %g; }", 2.0*L, l, b_T)
                                 : world_text(" ");
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "materials { steel { density 7800; youngsModulus 1e7; heatCapacity 464; emissivity %g; } }"
         "effects { hertz { } radiation { %s } } time { step %g; force yes; } %s "
         "insert { a { type list; frozen yes; diameter %.17g; positions ((0 0 0)); temperature %g; } %s }",
-        e, settings, dt, wall, 2.0*R, a_T, other);
-    struct dem *const d = world(text, 0, NULL);
+        e, settings, dt, wall, 2.0*R, a_T, other),
+        0, NULL);
 
-    free(text);
-    free(other);
-    free(wall);
     world_step(d);
     const double gained = C*(temperature(d, 0) - a_T)/dt;
 

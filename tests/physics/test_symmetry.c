@@ -135,9 +135,8 @@ static void place(struct dem_new_particle seed[N], int wall)
         const double sign = i % 2 ? 1.0 : -1.0,
                      apart = 0.5*(radius[0] + radius[1]) + 1e-6*(5.0 + drawn(p, 12));
 
-        seed[i] = (struct dem_new_particle){.diameter = 2.0*radius[i%2],
-                                            .id = i,
-                                            .material = i%2 ? "clay" : "glass"};
+        seed[i] = (struct dem_new_particle){
+            .diameter = 2.0*radius[i%2], .id = i, .material = i%2 ? "clay" : "glass"};
         for (int k = 0; k < 3; k++)
         {
             const double along = drawn(p, k)/size;
@@ -189,15 +188,13 @@ static struct dem *start(const char *laws, int wall, const struct frame *f,
             s->velocity[k] += f->speed[k];
         }
     }
-    char *const scene =
-        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.2; }"
-                   " clay { density 1500; youngsModulus 6e6; poissonsRatio 0.35; } }"
-                   "effects { %s } %s time { step %.17g; maxOverlap 0.3; }",
-                   laws, floor, time_step);
-    struct dem *const d = world(scene, N, given);
+    struct dem *const d = world(world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.2; }"
+        " clay { density 1500; youngsModulus 6e6; poissonsRatio 0.35; } }"
+        "effects { %s } %s time { step %.17g; maxOverlap 0.3; }",
+        laws, floor, time_step), N, given);
     const int wet = dem_scalar_index(d, "liquidVolume");
 
-    free(scene);
     for (int i = 0; wet >= 0 && i < N; i++)
     {
         dem_scalar(d, wet)[i] = 1e-11;      /* m3, 2 % of a sphere of 1 mm */

@@ -35,10 +35,7 @@ static struct dem *begin(const char *walls, const char *time, const double x[3],
                                    "walls { %s } time { step 5e-6; %s }", walls, time);
 
     memcpy(seed.position, x, sizeof seed.position);
-    struct dem *const d = world(scene, 1, &seed);
-
-    free(scene);
-    return d;
+    return world(scene, 1, &seed);
 }
 
 static const double above[3] = {1e-4, 2e-4, 1.02*5e-4};

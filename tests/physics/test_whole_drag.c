@@ -42,17 +42,15 @@ static void give_fluid(struct dem *w, double velocity, double gradient)
 
 static struct dem *sphere(const char *more)
 {
-    char *const scene = world_text(
+    struct dem_case *const c = world_begin(world_text(
         "materials { glass { density %g; youngsModulus 1e6; } }"
         "effects { gravity { acceleration (0 0 %g); } hertz {} stokesDrag {} pressureGradient {} }"
         "insert { one { type list; diameter %g; positions ((0 0 0)); %s } } time { step 1e-6; }",
-        rho_p, -g, d, more);
-    struct dem_case *const c = world_begin(scene);
+        rho_p, -g, d, more));
     struct dem_fluid f;
 
     struct dem *const w = world_start(c);
     WORLD_TRY(dem_fluid(w, &f));
-    free(scene);
     return w;
 }
 
