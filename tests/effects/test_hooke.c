@@ -132,10 +132,6 @@ static void limits(void)
     apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", 1e-6);
     TAP_OK(dem_hooke.time_limit(l->settings, &w.pair, &why) > 0.01,
            "a given stiffness has no limit by the Rayleigh time: %s", why);
-    TAP_OK(apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", -1.0) == DEM_ERROR_INPUT,
-           "%s", dem_error_text());
-    TAP_OK(apply_setting(&dem_hooke, l->settings, &w.pair, "impactSpeed", 0.0) == DEM_ERROR_INPUT,
-           "%s", dem_error_text());
     w.pair.reduced_modulus = 0.0;
     TAP_OK(dem_hooke.prepare(l->settings, &w.pair) == DEM_OK, "a given stiffness needs no modulus");
     apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", 0.0);
