@@ -1,11 +1,6 @@
 /*
- * test_hooke.c -- the linear normal law.
- *
- * - The force is k d; k is given, or such that an impact at the characteristic speed has the
- *   overlap of Hertz (note of Open DEM Japan, eq. (1)).
- * - An impact lasts pi sqrt(m/k), overlaps by v sqrt(m/k) and loses no speed.
- * - With dry damping the restitution is the one set; clamped it has the closed form.
- * - The step limits name their reason.
+ * test_hooke.c -- the linear normal law: stiffness given or from the speed, duration and overlap
+ * of an impact, restitution with dry, step limits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

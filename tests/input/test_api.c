@@ -1,14 +1,7 @@
 /*
- * test_api.c -- wrong calls of the public headers.
- *
- * - Calls in an order that the types allow and impossible particles are refused with one sentence; a
- *   scene that was refused stays refused.
- * - Particles of the caller and of the scene never share an id.
- * - A frozen particle does not move under any force.
- * - Lattices stay in their box.
- * - Queries of a case that has been checked return what is known; each number of a wall, scalar,
- *   effect or item that does not exist returns nothing or is refused. Run it with
- *   -fsanitize=address,undefined after a change of the calls.
+ * test_api.c -- wrong calls of the public headers are refused with one sentence, and numbers that
+ * do not exist return nothing. Run it with -fsanitize=address,undefined after a change of the
+ * calls.
  *
  * Source: the contract in dem.h.
  *

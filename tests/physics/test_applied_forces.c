@@ -1,12 +1,6 @@
 /*
- * test_applied_forces.c -- forces and torques that a scene prescribes for chosen particles.
- *
- * - A particle chosen by id, material, box or time moves by Newton's laws; others and frozen ones
- *   do not feel the force.
- * - Two spheres pressed together by F on a spring k overlap by 2 F/k at most, and the work of both
- *   forces is their kinetic and elastic energy.
- * - A driven particle keeps its velocity and spin. A free one that it hits leaves at twice its
- *   speed, as from a moving wall, and the drive does the work 2 m v^2; lifting takes m g h.
+ * test_applied_forces.c -- forces, torques and drives that a scene prescribes act on the chosen
+ * particles only, move them by Newton's laws, and do the work that the energy balance reports.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

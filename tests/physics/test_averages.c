@@ -1,17 +1,6 @@
 /*
- * test_averages.c -- averages on a grid (solid fraction, velocity, granular temperature, stress)
- * against closed forms.
- *
- * - A sphere contributes to each cell the volume that it has there: slabs exactly, all cells
- *   together its whole volume, also across a periodic face. A cell wider than a periodic box
- *   contains the images, too.
- * - One stream has its velocity and no temperature. Two opposed streams have a third of their
- *   squared speed as temperature, and the stress rho v v.
- * - A column of spheres at rest: stress is the sum of contact force times branch vector over the
- *   volume.
- * - Friction at a wall is a shear stress of half of force times branch.
- * - The mean temperature of spheres of known temperatures is the mixed temperature, over a cell and
- *   over time; scalars without a capacity are weighted by mass, amounts by number.
+ * test_averages.c -- means on a grid (solid fraction, velocity, granular temperature, stress,
+ * particle scalars) have the values of closed forms, also across periodic faces.
  *
  * Sources: volume of a spherical cap; statics; kinetic theory of two streams.
  *

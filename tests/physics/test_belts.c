@@ -1,16 +1,6 @@
 /*
- * test_belts.c -- walls with a surface velocity: conveyor belts on inclined and turned faces,
- * around pulleys, on round walls.
- *
- * A sphere at rest on a belt of speed V slides for V/(3.5 mu g) with the friction mu m g along the
- * belt, then rolls at 2/7 V; test_energy.c has the work of a belt.
- *
- * - surfaceVelocity on a face inclined by 30 and by 80 degrees: V is its magnitude, the direction
- *   is its projection; plane, triangles, triangles in a turned and in a moving frame.
- * - A face across the velocity has no direction: it stays at rest.
- * - surfaceRotation with a speed, on a closed loop of facets around a pulley that is no cylinder:
- *   each facet runs forward, in the sense of the axis, at V, for particles inside of the loop, too;
- *   likewise on a roller (cylinder) and a sphere.
+ * test_belts.c -- a wall with a surface velocity drags a sphere along its face at the given speed,
+ * whatever the inclination, the shape and the motion of the wall.
  *
  * Source: kinematics of rigid bodies.
  *

@@ -1,19 +1,7 @@
 /*
- * test_bond_free.c -- bonded particles in free motion: conservation, objectivity, and the contact
- * of a bonded pair.
- *
- * - Linear and angular momentum are kept to round-off, energy to the order of the step: a pair that
- *   rotates about any axis (which is not sheared), a bent triangle, a chain of 20 unequal spheres.
- * - Rotated axes and swapped ids give the same motion (1e-10), with either kind of damping and
- *   while bonds break.
- * - The contact of a bonded pair has no force until the bond breaks, and then acts without a jump
- *   in force, under compression and under tension.
- * - Adhesion between bonded surfaces acts only after they have separated and met again.
- * - A sphere bonded to a wall hangs and oscillates.
- * - A pair that meets, is bonded, is pushed apart and breaks keeps its energy to second order in
- *   the step: its force has a kink where it begins and one where it ends.
- * - A removed particle takes its own bonds along and no others.
- * - Bonds that hold and bonds that broke are reported with force, energy and cause.
+ * test_bond_free.c -- bonded particles in free motion keep momentum and energy and move alike in
+ * any axes; contact and adhesion return when a bond breaks; bonds are damped, made by chance,
+ * removed and reported as documented.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

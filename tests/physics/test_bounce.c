@@ -1,14 +1,6 @@
 /*
- * test_bounce.c -- linear springs with dashpots against the damped oscillator (DEM01 to DEM03 of
- * the MFiX-DEM suite).
- *
- * - A sphere that falls on a spring rebounds at the time, with the speed and to the height of the
- *   damped oscillator under its weight (0.1 %), with the dashpot given by restitution and by
- *   coefficient.
- * - The following bounces have the heights of the same formula, on a stiff spring R + (h - R) e^(2
- *   n) (1 %).
- * - Two spheres squeezed in a gap oscillate as an independent integration predicts (0.05 % of a
- *   diameter), and come to rest at the static positions.
+ * test_bounce.c -- linear springs with dashpots bounce, and oscillate in a gap, as the damped
+ * oscillator does (DEM01 to DEM03 of the MFiX-DEM suite).
  *
  * Sources: Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; bounce_spring.csv,
  * squeezed_pair.csv.

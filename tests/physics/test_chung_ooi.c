@@ -1,12 +1,6 @@
 /*
- * test_chung_ooi.c -- tests 4 to 8 of Chung and Ooi: oblique impacts with every law of friction.
- *
- * - Tests 4 to 6: speeds and spins agree with an independent integration of the same law, with a
- *   rigid body in full sliding, and with the values that Chung and Ooi published.
- * - The friction impulse of a sliding impact is mu times the normal impulse, with every law of
- *   friction and damping.
- * - Test 7: matching spins of two equal spheres do not change.
- * - Test 8: a spinning sphere that hits one 125 or 125000 times as heavy rebounds as from a plane.
+ * test_chung_ooi.c -- tests 4 to 8 of Chung and Ooi: oblique impacts with every law of friction
+ * and damping agree with an independent integration and with the published values.
  *
  * Sources: Chung and Ooi, Granul. Matter 13 (2011) 643; chung_ooi.csv by oblique_impacts.py.
  *

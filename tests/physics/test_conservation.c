@@ -1,10 +1,6 @@
 /*
- * test_conservation.c -- conservation of momentum, angular momentum and energy.
- *
- * - A thousand colliding spheres with friction and damping conserve momentum to round-off in a
- *   periodic box, and in open space angular momentum, too.
- * - Without friction and damping they conserve energy; with either the energy only decreases.
- * - Crossing periodic faces changes no velocity and keeps a contact.
+ * test_conservation.c -- a thousand colliding spheres keep momentum, angular momentum and, without
+ * losses, energy; crossing periodic faces changes nothing.
  *
  * Bounds: round-off and the order of the leapfrog.
  *

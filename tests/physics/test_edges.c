@@ -1,14 +1,6 @@
 /*
- * test_edges.c -- spheres at the edges of flat walls: forces are continuous in position, and elastic
- * bounces keep the kinetic energy.
- *
- * - Two facets that meet at 1 to 90 degrees, concave and convex, of triangles and of planes: spheres
- *   in a row across the edge, thrown at it, keep their energy; the error is of second order in the
- *   step. Hertz and Hooke.
- * - The force on spheres at 1001 places across such an edge has no jump: it is small between near
- *   places, smaller between nearer ones.
- * - A sphere slides over a slit of 1 nm in a floor and feels nothing.
- * - A sphere that bounces about in a tube of 36 facets keeps its energy to second order in the step.
+ * test_edges.c -- at edges of flat walls forces are continuous in position, and elastic bounces
+ * keep the kinetic energy to second order in the step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

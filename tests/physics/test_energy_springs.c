@@ -1,14 +1,6 @@
 /*
- * test_energy_springs.c -- the energy balance of contacts that end with loaded springs, and of
- * dashpots on rotations.
- *
- * - A sphere that sticks during an impact of a quarter period of the friction or rolling spring
- *   loses all energy of slip or spin.
- * - Oblique impacts with damping and friction lose as much kinetic energy as the balance reports,
- *   to an error that decreases with the step: equal spheres, two sizes, a bubble with added mass
- *   that does not rotate.
- * - The same with resistance to rolling and twisting, with bonds that break in the step in which
- *   they are made, and for a sphere that rolls to rest on a damped spring.
+ * test_energy_springs.c -- the energy balance closes for contacts that end with loaded springs,
+ * for dashpots on rotations, added mass, and bonds that break in the step in which they are made.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

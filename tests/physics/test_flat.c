@@ -1,12 +1,6 @@
 /*
- * test_flat.c -- two dimensions: with a flat axis all centres stay exactly in the middle plane.
- *
- * - No velocity across the plane and no spin out of it, also in a container of irregular triangles
- *   and under gravity across the plane.
- * - Motion in the plane has the bits of three dimensions between planes.
- * - A restarted run has the bits of the uninterrupted one.
- * - The energy balance closes as in three dimensions.
- * - Streams insert onto the plane.
+ * test_flat.c -- with a flat axis all centres stay exactly in the plane, and motion in it has the
+ * bits of three dimensions between planes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,14 +1,7 @@
 /*
- * test_fluid_heat.c -- heat transfer between particles and a fluid.
- *
- * - A sphere that a stream cools has the temperature of the closed form, exp(-t/tau), at any ratio
- *   of the step to tau.
- * - Implicit exchange between particles and one well-mixed cell of fluid conserves energy and ends
- *   at the mixed temperature, for windows of 0.1 to 100 tau and 1 to 1000 times the fluid's heat
- *   capacity; explicit exchange would not.
- * - The heat of all particles is the sum of m c T.
- * - The response of particles that enter within a window is no larger than at a held temperature.
- * - A scene has one law, and must give each fluid property that it needs, once.
+ * test_fluid_heat.c -- heat transfer to a fluid is exact at any ratio of the step to the
+ * relaxation time, and the implicit exchange with a cell conserves energy at any ratio of
+ * capacities.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,14 +1,6 @@
 /*
- * test_following_walls.c -- walls of triangles that follow a moving mesh (dem_wall_move every 0.2
- * ms).
- *
- * - A sphere moves up with a rising floor and presses with its weight.
- * - On a turntable it describes the circle of the closed form.
- * - Where part of a floor rises, a sphere rises with that part and has one contact, also on seams.
- * - A restart has the bits of an uninterrupted run, friction included.
- * - The skins of the lists do not change the bits.
- * - Another number of triangles, a corner that is not a number and a wall too fast for the step are
- *   refused.
+ * test_following_walls.c -- walls of triangles that follow a moving mesh (dem_wall_move) carry and
+ * drag a sphere, continue with the same bits, and refuse wrong meshes.
  *
  * Sources: statics and kinematics of rigid bodies; Earnshaw 1844 for the turntable
  * (test_moving_walls.c).

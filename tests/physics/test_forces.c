@@ -1,18 +1,6 @@
 /*
- * test_forces.c -- forces of a fluid on spheres: added mass, drag, lift, torque, and the momentum
- * exchanged.
- *
- * - Spheres of 2 mm in water, from a bubble to steel, reach the speeds of an independent
- *   integration, with and without added mass. A massless bubble starts with an acceleration of 2 g.
- * - Impacts in liquid return the requested restitution, with the added mass, also between a bubble
- *   and a bead.
- * - The momentum reported to a coupled fluid plus the impulse carried over equal the momentum that
- *   the particles received.
- * - In an accelerating fluid every particle moves by the balance of added mass and pressure
- *   gradient.
- * - A spin decays exponentially to half the vorticity, in one step or in a thousand.
- * - Lift bends a path as its law states.
- * - The reported relaxation rate of drag includes the added mass.
+ * test_forces.c -- spheres of any density settle, spin, bend and collide in a fluid as the laws of
+ * drag, added mass, lift and torque say, and the fluid gets the momentum that they lose.
  *
  * Source: settling_ratio.csv, Schiller and Naumann with Cd 0.44 above Re 1000, integrated by
  * another program.

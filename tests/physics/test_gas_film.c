@@ -1,10 +1,6 @@
 /*
- * test_gas_film.c -- heat through the gas between spheres.
- *
- * - The conductance of a pair, and of a sphere and a wall, is the published integral, by
- *   quadrature: apart, near, touching, softer than real, of like and unlike radii.
- * - It is zero beyond the thickness of the film, and small just within it.
- * - A chain with gaps between two walls has the temperatures of these resistances in series.
+ * test_gas_film.c -- heat through the gas between spheres, and at walls, is the published
+ * integral, by quadrature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

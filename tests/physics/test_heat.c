@@ -1,13 +1,6 @@
 /*
- * test_heat.c -- conduction of heat through contacts.
- *
- * - A chain of spheres between two walls of given temperature has the steady temperatures of
- *   resistances in series; a mode of the chain decays by the factor of the explicit step.
- * - Two spheres of unlike conductivities and capacities approach each other at the rate of the
- *   closed form; their energy is conserved to rounding.
- * - A contact that is softer than real has the radius of the real one under the same force.
- * - Particles that a scene freezes at its start conduct as before, and only heat limits the step;
- *   the plan of such a scene works.
+ * test_heat.c -- conduction in chains and pairs has the closed forms of the explicit step; frozen
+ * particles conduct as before.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

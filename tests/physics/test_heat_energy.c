@@ -1,12 +1,6 @@
 /*
- * test_heat_energy.c -- heat in the energy balance, and heat of friction and damping.
- *
- * - A sphere that slides until it rolls dissipates m v^2/7. Half of it heats the sphere, half the
- *   wall; all of it heats the sphere if the wall is insulated.
- * - Two spheres that collide receive the same heat, each half of 1 - e^2 of the impact energy.
- * - Broken bonds and plastic work heat their partners.
- * - A particle gains heat from contacts, walls and the fluid only, to the rounding of its
- *   temperature: the heat of an adiabatic bed in motion grows by the dissipated energy alone.
+ * test_heat_energy.c -- heat of friction, damping, plastic work and broken bonds goes to its
+ * partners, and all heat is accounted for.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,12 +1,6 @@
 /*
- * test_impact.c -- head-on impacts of two spheres and of a sphere and a wall (tests 1 to 3 of Chung
- * and Ooi).
- *
- * - Peak force, peak overlap and contact time agree with Hertz; no speed is lost.
- * - The error of an elastic impact decreases at least fourfold when the step is halved.
- * - Two spheres that overlap by 8 % at the start are refused, and with time/maxStartOverlap 0.1
- *   part with the energy of their spring.
- * - `dry` gives the requested restitution; restitution 0 leaves no speed.
+ * test_impact.c -- head-on impacts with Hertz's law have the peak force, overlap and duration of
+ * the closed form, the order of the leapfrog, and the restitution that is set.
  *
  * Sources: Chung and Ooi, Granul. Matter 13 (2011) 643; closed forms of hertz_normal.csv.
  *

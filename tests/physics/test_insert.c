@@ -1,14 +1,6 @@
 /*
- * test_insert.c -- insertion: size distributions, amounts, regions, random packings.
- *
- * - Drawn diameters have the requested distribution, by number or by volume (Kolmogorov-Smirnov
- *   distance to the closed form).
- * - Mass and solid fraction are met to half a particle.
- * - Packed spheres lie in their box, cylinder or sphere and overlap neither each other nor earlier
- *   groups, up to a solid fraction of 0.55.
- * - Dilute packings have the pair correlation of hard spheres to first order in the number density.
- * - Dense ones have as many neighbors as poured balls.
- * - A settled bed has the solid fraction of random close packing.
+ * test_insert.c -- insertion gives the sizes, amounts and regions that the scene asks for;
+ * packings do not overlap and have the structure of hard spheres.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,15 +1,6 @@
 /*
- * test_insert_periodic.c -- insertion at periodic faces.
- *
- * - A random group in a region that ends at periodic faces is uniform in planes parallel to them:
- *   box, cylinder, mesh.
- * - In a region that ends at one face, centres come up to that face and keep a radius off the other
- *   sides; in one that crosses faces, all spheres lie inside it.
- * - Spheres overlap nothing: neither periodic images of their own group, nor earlier groups on
- *   lattices, in lists and at random on the other side of a face. Lattices do not overlap their
- *   image.
- * - Streams fill a region up to the faces without an overlap of images.
- * - A region wider than the domain is refused; a list that overlaps through a face, too.
+ * test_insert_periodic.c -- insertion at periodic faces is uniform up to the face and overlaps no
+ * image.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

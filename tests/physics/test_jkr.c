@@ -1,13 +1,6 @@
 /*
- * test_jkr.c -- adhesion of Johnson, Kendall and Roberts through the whole core.
- *
- * - The attraction is at most 3/2 pi w R*, 4/3 pi w R* where the surfaces just touch, 5/6 pi w R*
- *   at separation.
- * - Each contact loses 7.09 (w^5 R*^4/E*^2)^(1/3), which is reported. Faster spheres rebound with
- *   the rest of their energy, slower ones stick.
- * - All of the loss is on the branch beyond touching.
- * - Friction acts on a sphere that adheres without load.
- * - A bond that seals two adhering spheres books the energy of the adhesion as lost.
+ * test_jkr.c -- adhesion of Johnson, Kendall and Roberts: pull-off forces, loss of energy per
+ * contact, friction without load, and a bond that seals the contact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,18 +1,6 @@
 /*
- * test_liquid_bridge.c -- liquid bridges through the whole core.
- *
- * - Two spheres, equal and unequal, and a sphere and a wall: the capillary force at each gap is the
- *   published formula, to rounding; none before contact; rupture at the distance of Lian et al.
- * - The formula deviates from solutions of the Young-Laplace equation by no more than
- *   docs/liquid-bridge.md states.
- * - Viscous force on approach and in shear; it rests in contact unless asked to act.
- * - A bounce loses the work of rupture, in closed form; below that energy the spheres stay
- *   together.
- * - Liquid is conserved to rounding when bridges form and break, also around a sphere with twelve
- *   neighbors, which never gives more than it has; a particle gets back the liquid it gave a wall.
- * - An oblique impact of unequal spheres keeps momentum and angular momentum; the energy balance
- *   closes.
- * - Wrong combinations are refused.
+ * test_liquid_bridge.c -- liquid bridges have the published capillary and viscous forces, rupture
+ * as published, lose the work of rupture, and conserve liquid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,15 +1,6 @@
 /*
- * test_lubrication.c -- the lubrication film through the whole core, c = c_0/h between cut-off h_c
- * and roughness h_r.
- *
- * - Between sphere and wall and between two unequal spheres the film reduces the speed by (c_0/m*)
- *   (ln(h_c/h_r) - 1 + h_r/h_c) from cut-off to roughness; the energy is reported as lost, momentum
- *   is kept.
- * - A sphere that sinks through its film does so in the time of the closed form.
- * - With `contact rests` the speed e (v - v_t) - v_t comes back, v_t = (c_0/m*) ln(h_c/h_r),
- *   whatever the stiffness.
- * - The bits do not depend on the skins of the lists.
- * - An extreme viscosity stops particles and accelerates none.
+ * test_lubrication.c -- the lubrication film takes the speed of the closed form, whatever the
+ * stiffness and the skins of the lists.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,9 +1,6 @@
 /*
- * test_moments.c -- resistance to rolling. Symmetry and conservation are in test_symmetry.c.
- *
- * - A sphere rolls 7 v^2/(10 mu_r g) over a plane and over a floor of triangles.
- * - On a slope below mu_r the rolling spring holds it; above it rolls down with 5/7 g (sin - mu_r
- *   cos).
+ * test_moments.c -- resistance to rolling stops a sphere after 7 v^2/(10 mu_r g) and holds it on a
+ * slope below mu_r. Symmetry and conservation are in test_symmetry.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

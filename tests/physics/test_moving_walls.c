@@ -1,19 +1,6 @@
 /*
- * test_moving_walls.c -- walls that move: translation, rotation, oscillation, moving surfaces,
- * round walls, seams.
- *
- * - A sphere on a plane that starts to move, or on a belt, slides for V/(3.5 mu g) and then rolls.
- * - An elastic wall that moves at V returns a sphere with 2 V - v (plane and triangles); the
- *   impulse on the wall is the momentum that the sphere has lost.
- * - An oscillating plate throws off a resting sphere at the time and with the speed of the closed
- *   form.
- * - A sphere on a turntable follows the circle of the closed form.
- * - In a rotating tube, of facets or round, a sphere rolls in place.
- * - A wall that has made a whole turn is at its first position; motions start and end at the given
- *   times.
- * - Round walls give the force of their curvature.
- * - Friction continues over seams and facets.
- * - Walls report the positions of their triangles.
+ * test_moving_walls.c -- walls that move, turn, oscillate or are round drive a sphere as
+ * kinematics and Hertz's law say; friction continues over seams.
  *
  * Sources: statics and kinematics of rigid bodies; Hertz.
  *

@@ -1,13 +1,6 @@
 /*
- * test_outlets.c -- outlets remove particles that pass them between two checks.
- *
- * - A thin box, disc (a short cylinder) and sphere remove the particles in free flight that cross
- *   them, and no others, at tens of thicknesses between two checks.
- * - The same through periodic faces: the path is tested where it leads through the domain.
- * - A particle that starts in an outlet and has left it before the first check is removed.
- * - A run continued from a snapshot between two checks removes the same particles.
- * - Outlets that the program checks between two advances miss no particle either.
- * - Particles have the column of positions only in scenes with a region among their outlets.
+ * test_outlets.c -- outlets remove every particle that passes them between two checks, and no
+ * other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,18 +1,6 @@
 /*
- * test_parcels.c -- parcels of l^3 grains.
- *
- * - Impacts of two parcels and of two grains are similar, with each contact law that has a scaling
- *   rule: the same restitution, overlap over the diameter and heat per mass, l times the duration.
- *   So is the rolling of a parcel, with each resistance to rolling.
- * - In a fluid a parcel has the velocity and the temperature of a grain, with each law of drag,
- *   lift, added mass and heat transfer; its impulse from the fluid and its response are l^3 times
- *   the grain's, and momentum is conserved.
- * - A row of parcels conducts as the rows of grains that it represents.
- * - Diameters in lattices, random groups, lists, tables and streams are the grains', and the mass
- *   of a group is as given.
- * - Refused: a law without a rule, by its name; wrong entries; different ratios where a law needs
- *   one; a snapshot of parcels in a scene without parcels.
- * - A scene without parcels has no column for them.
+ * test_parcels.c -- parcels of l^3 grains scale as each law states; entries that have no rule are
+ * refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

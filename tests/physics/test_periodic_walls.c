@@ -1,16 +1,6 @@
 /*
- * test_periodic_walls.c -- walls of triangles at periodic faces are periodic, as particles are.
- *
- * - A ball rolls over the seam of a plate with the bits of a plane, for a plate cut in any way,
- *   ending anywhere, longer than the period, or with corners in single precision; so does a flow
- *   down a chute.
- * - A groove, a ridge and a step on a periodic face act as inside the domain, on one ball and on
- *   many, and energy is conserved.
- * - So do moving walls: a plate that oscillates, or moves without end, along a periodic axis; a
- *   tube that rotates about one; a floor that follows a mesh.
- * - A restart and other skins do not change the bits.
- * - Absorbing walls, streams and groups placed inside walls see images.
- * - Walls that cannot be periodic are refused.
+ * test_periodic_walls.c -- walls of triangles at periodic faces are periodic, as particles are:
+ * seams cannot be felt, moving walls and restarts included.
  *
  * References: the same surface as a plane; the same surface with the periodic face elsewhere; the
  * same surface in a domain without periodic faces.

@@ -1,18 +1,6 @@
 /*
- * test_plan.c -- numbers of `dem plan` against calculation by hand.
- *
- * - Contact time, step, weight, pressure drop, minimum fluidisation, terminal velocity, response
- *   time, number of steps.
- * - Minimum fluidisation uses the bed's own void fraction, or an assumed one, which is reported.
- * - The expansion by the scene's drag law is reported beside Richardson and Zaki's.
- * - Drag is judged by the scene's own law.
- * - A fluid given through the fluid columns gives the same as one in the scene.
- * - Bytes agree with the allocator, before and after settling; the timed block is as large as the
- *   bed.
- * - The estimated time of a dense bed agrees with the measured one within a factor of 2.
- * - Planning changes no particle.
- * - With hookeHysteresis stiffness, limit overlap and restitution by yielding agree with tabulated
- *   loops.
+ * test_plan.c -- the numbers of `dem plan` agree with calculation by hand, its bytes with the
+ * allocator, its time with the clock.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

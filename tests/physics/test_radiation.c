@@ -1,10 +1,6 @@
 /*
- * test_radiation.c -- thermal radiation between near spheres and walls.
- *
- * - The view factor is the fraction of rays from a sphere that hit another, or the near part of a
- *   plane: exactly for planes, within 6 % for spheres that touch, within 1 % farther apart.
- * - Grey spheres exchange heat as through resistances in series; a pair conserves its energy.
- * - There is no radiation beyond the reach.
+ * test_radiation.c -- radiation between near spheres and walls has the view factors of rays and
+ * the exchange of grey bodies.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

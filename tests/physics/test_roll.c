@@ -1,12 +1,6 @@
 /*
- * test_roll.c -- from slip to rolling (DEM04 of the MFiX-DEM suite).
- *
- * - A sphere that starts to slide over a floor slips for t = 2 u/(7 mu g), then rolls with 5/7 of
- *   its speed and w = v/R, whatever mu, with the spin of a wheel (+y for +x with z up); on a plane
- *   and on a floor of random triangles.
- * - A sphere rolls down a slope with 5/7 g sin(a), and slides there when tan(a) > 7/2 mu.
- *
- * Settings of single pairs (`pairs`) give each sphere its own friction.
+ * test_roll.c -- a sliding sphere begins to roll when and as fast as a rigid one does, on a plane,
+ * on triangles and down a slope (DEM04 of the MFiX-DEM suite).
  *
  * Sources: Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; slip_to_roll.csv, exact for a
  * rigid sphere.

@@ -1,15 +1,7 @@
 /*
- * test_scalars.c -- particle scalars, with the temperature of `conduction`.
- *
- * - Walls: a given value, a film and a flux heat a sphere by the closed forms of the step; a wall
- *   without an entry is insulated.
- * - The program's source and coefficient are integrated exactly, at any ratio of the step to the
- *   relaxation time; the program gets the sphere's gain; the response is bounded.
- * - Insertion: one value, a range, a list, a table; a value out of range is refused.
- * - A scene without scalars has no column, no rate and no ghost column for them.
- * - The viscosity of the fluid is a scalar that contact laws read as the mean of both partners,
- *   with the same bits from a setting, from a uniform fluid, or written by a program. In a uniform
- *   fluid that acts on no particle it is the only column.
+ * test_scalars.c -- particle scalars: walls and the program change a temperature by closed forms;
+ * insertion sets it; scenes without scalars have no column; the fluid's viscosity reaches contact
+ * laws.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

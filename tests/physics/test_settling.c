@@ -1,11 +1,6 @@
 /*
- * test_settling.c -- a sphere in a uniform fluid: drag, weight and pressure gradient.
- *
- * - It settles with the speed and position of an independent integration.
- * - In a fluid so viscous that the response time is 1e-3 to 1e-5 of the step it moves with the
- *   fluid, without oscillation.
- * - Drag does not move a frozen sphere.
- * - A sphere as dense as the fluid floats.
+ * test_settling.c -- a sphere in a uniform fluid settles as an independent integration does, and
+ * follows a fluid of any viscosity without oscillation.
  *
  * Source: settling_liquid.csv, 0.1 mm in a liquid, Schiller and Naumann, Z. Ver. Dtsch. Ing. 77
  * (1933) 318.

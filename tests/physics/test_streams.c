@@ -1,27 +1,6 @@
 /*
- * test_streams.c -- streams and outlets of particles.
- *
- * Streams:
- * - The number inserted follows the rate, by number or by mass, to one particle, from start to end
- *   or limit.
- * - Particle k has the diameter of particle k of a group with that seed, whether or not it had to
- *   wait.
- * - Inserted particles overlap no particle or wall, and lie in the region or have
- *   crossed the face at their speed.
- * - Particles that do not fit wait, are counted, and are inserted later.
- * - Position and velocity belong to the same time: an inserted body follows the parabola of free
- *   fall.
- * - A patch normal to an axis inserts the number due at any speed.
- * - Drag that stops a particle in less than a step gives it the velocity of the fluid.
- * - A stream with a rate changed to kg/s at a restart has no deficit from before.
- * - No particle is inserted into a fluid that the caller provides before the caller has announced
- *   it.
- *
- * Outlets:
- * - They remove the particles in their region and no others.
- * - Number, mass and momentum present are those inserted less those removed, plus the impulse of
- *   gravity.
- * - Ids are unique, also after the run returns to a backup between two checks.
+ * test_streams.c -- streams insert the number, mass, sizes, positions and velocities that are due;
+ * outlets keep the balance; ids are unique.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,14 +1,7 @@
 /*
- * test_symmetry.c -- invariance of every contact law: rotation, reflection, swapped ids, Galilean
- * transformation.
- *
- * - Impacts of unequal spinning spheres, and of spheres with a wall, have the same result in
- *   randomly rotated axes, in a mirror, with swapped ids and in a moving frame (1e-10).
- * - Momentum and angular momentum of each pair are kept (1e-12); no impact gains energy.
- *
- * The laws come from the list of effects: a new law needs settings here, under which it must have
- * an effect. Normal laws, damping and friction are tested in all combinations, the others with
- * hertz, dry and mindlin.
+ * test_symmetry.c -- every contact law, and every combination of normal law, damping and friction,
+ * is invariant under rotation, reflection, swapped ids and Galilean transformation, and keeps
+ * momentum and angular momentum. A new law needs settings here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

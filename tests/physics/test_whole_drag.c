@@ -1,12 +1,6 @@
 /*
- * test_whole_drag.c -- whole drag (set III of the averaged equations): the law's drag over the void
- * fraction.
- *
- * - On a frozen particle exactly.
- * - A heavy particle in a fluid of given velocity and hydrostatic pressure comes to rest at the
- *   speed where f_d/e = (rho_p - rho) V g.
- * - The law's own drag and the pressure gradient of a uniform flow together (sets I and II) are the
- *   same force.
+ * test_whole_drag.c -- whole drag (set III of the averaged equations) is the law's drag over the
+ * void fraction, and the same force as drag and pressure gradient together.
  *
  * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482. In a uniform steady flow e grad p =
  * -n f_d, so with n V = 1 - e the force is f_d + V n f_d/e = f_d/e.

@@ -1,13 +1,7 @@
 /*
- * test_edits.c -- a snapshot that is continued with an edited scene.
- *
- * - Groups that the snapshot does not have are inserted, random, lattice and list, and overlap with
- *   nothing; ids continue; no group is inserted twice, also after an edit that left it out.
- * - A wall goes on from where it stood with any motion that the scene gives it, a conveyor and an end
- *   of the motion included, and the edited run, stopped and continued, has its own bits.
- * - Contacts keep their history when walls are added before theirs.
- * - Every difference is a sentence of dem_warnings; an unchanged scene has none; numbers written in
- *   another way are no difference. A domain with other periodic axes is refused.
+ * test_edits.c -- a snapshot continues with an edited scene: new groups are inserted once, walls
+ * go on from where they stood, contacts keep their history, and every difference is a sentence of
+ * dem_warnings.
  *
  * Source: kinematics of rigid motion; the contract of dem_case_load in dem.h.
  *
