@@ -65,76 +65,6 @@ static void bounce(const double *t, int by_coefficient)
     dem_free(d);
 }
 
-/* ---- repeated bounces ------------------------------------------------------------------------ */
-
-/* Rebound speed of a sphere that meets the spring at v, under its weight: the first root of the
-   damped oscillation exp(-z w s) (c cos + b sin) = c about the position of rest, c = g/w^2. */
-static double rebound_speed(double v, double w, double z)
-{
-    const double f = w*sqrt(1.0 - z*z), c = g/(w*w), b = (z*w*c - v)/f;
-    double low = 0.3*world_pi/f, high = 2.0*world_pi/f;
-
-    for (double s = low; s < high; s += 1e-3/f)
-    {
-        const double y = exp(-z*w*s)*(c*cos(f*s) + b*sin(f*s)) - c;
-
-        high = y >= 0.0 ? s : high;
-        low = y >= 0.0 ? low : s;
-    }
-    for (int k = 0; k < 60; k++)
-    {
-        const double s = 0.5*(low + high), y = exp(-z*w*s)*(c*cos(f*s) + b*sin(f*s)) - c;
-
-        high = y >= 0.0 ? s : high;
-        low = y >= 0.0 ? low : s;
-    }
-    return exp(-z*w*high)*((f*b - z*w*c)*cos(f*high) - (f*c + z*w*b)*sin(f*high));
-}
-
-/* `steps` a contact time */
-static void repeated_bounces(double k, double e, double steps)
-{
-    const double m = world_sphere_mass(R, density), L = -log(e),
-                 z = L/sqrt(world_pi*world_pi + L*L), step = world_pi*sqrt(m/k)/steps;
-    const struct dem_new_particle seed = {
-        .position = {0.0, 0.0, height}, .diameter = 2.0*R, .material = "b"};
-    struct dem *const d = world(world_text(
-        "materials { b { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } "
-        "dry { restitution %g; }"
-        "gravity { acceleration (0 0 -%.17g); } } time { step %.17g; }"
-        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
-        density, k, e, g, step), 1, &seed);
-    double speed = sqrt(2.0*g*(height - R)), hard = height - R;
-
-    world_run(d, 0.95*sqrt(2.0*(height - R)/g));          /* on its way down */
-    for (int n = 1; n <= 4; n++)
-    {
-        double up = 0.0, before;
-
-        do
-        {
-            world_step(d);
-            before = up;
-            up = world_at(d, 0).v[2];
-        }
-        while (!(before > 0.0 && up <= 0.0 && world_at(d, 0).x[2] > R));
-        const double apex = world_at(d, 0).x[2];
-
-        speed = rebound_speed(speed, sqrt(k/m), z);
-        hard *= e*e;
-        /* a step of a contact more or less in each speed, so twice that in the height */
-        TAP_NEAR(apex - R, speed*speed/(2.0*g), 2.0*n/steps*(apex - R),
-                 "k %g N/m, e %g: bounce %d, to %.5f m", k, e, n, apex);
-        if (k > 1e6)
-        {
-            /* the weight on the spring reduces the last, slowest bounces */
-            TAP_NEAR(apex, R + hard, 1e-2*apex, "k %g N/m, e %g: bounce %d, to R + (h - R) e^(2 n)",
-                     k, e, n);
-        }
-    }
-    dem_free(d);
-}
-
 /* ---- squeezed -------------------------------------------------------------------------------- */
 
 /* A scene with overlaps of a tenth of a diameter is refused. The spheres start side by side; the
@@ -241,11 +171,6 @@ int main(void)
         bounce(table + COLUMNS*k, 0);
     }
     bounce(table + COLUMNS*(rows - 1), 1);
-    for (int k = 6; k <= 9; k++)
-    {
-        repeated_bounces(5e4, 0.1*k, 2000.0);
-        repeated_bounces(5e6, 0.1*k, 400.0);
-    }
     squeezes();
     TAP_DONE;
 }

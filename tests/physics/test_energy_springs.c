@@ -159,13 +159,6 @@ int main(void)
     static const char in_water[] =
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } } fluid { density 1000; "
         "viscosity 1e-6; }";
-    const struct scene linear =
-        {"hooke { stiffness 1000; } dry { restitution 0.8; } linear { friction 0.3; }", floor_at_0,
-         2500.0};
-    const struct scene mindlin = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }",
-                                  floor_at_0, 2500.0};
-    const struct scene pair = {"hertz {} dry { restitution 0.8; } mindlin { friction 0.3; }", "",
-                               2500.0};
     const struct scene brittle = {
         "hertz {} dry { restitution 0.8; } mindlin { friction 0.3; } bondLinear { make always; "
         "normalStiffness 1e9; "
@@ -187,9 +180,6 @@ int main(void)
         "lost_linear", 0);
     quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; damping 0; }",
             "lost_rollingSpring", 1);
-    oblique("linear springs", &linear, 0.0);
-    oblique("Hertz and Mindlin", &mindlin, 0.0);
-    oblique("two sizes", &pair, 0.5*R);
     oblique("a bubble in water", &bubble, 0.0);
     oblique("rolling and twisting", &moments, 0.0);
 
