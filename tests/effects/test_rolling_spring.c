@@ -184,7 +184,6 @@ int main(void)
     slip();
     rotation();
     moments_common(&w, &dem_rolling_spring, "friction", 0.1);
-    moments_axes(&w, &dem_rolling_spring, "friction", 0.1);
     oscillation(1.0, 0.0, 0.0, 0.4);
     oscillation(0.001, 0.0, 10.0, 1.4);
     oscillation(0.001, 0.05, 10.0, 1.4);

@@ -114,7 +114,6 @@ int main(void)
     TAP_TRAPS;
     spring();
     moments_common(&w, &dem_twisting_spring, "friction", 0.5);
-    moments_axes(&w, &dem_twisting_spring, "friction", 0.5);
     oscillation();
     rest();
     TAP_DONE;
