@@ -30,11 +30,7 @@ static const double diameter = 2e-3;
 
 static int64_t removed(struct dem *d, int k)
 {
-    const struct dem_flow *all;
-    int n;
-
-    WORLD_TRY(dem_flows(d, &n, &all));
-    return k < n ? all[k].particles : -1;
+    return world_flow(d, k).particles;
 }
 
 static double uniform(int64_t number, uint64_t use, double low, double high)

@@ -32,18 +32,7 @@ static struct dem *ring(const char *temperature)
 
 static double at(struct dem *d, int64_t id)
 {
-    struct dem_view v;
-    const double *const T = dem_scalar(d, dem_scalar_index(d, "temperature"));
-
-    dem_view(d, &v);
-    for (size_t n = 0; n < v.n; n++)
-    {
-        if (world_id(&v, n) == id)
-        {
-            return T[n];
-        }
-    }
-    return NAN;
+    return world_scalar(d, "temperature", id);
 }
 
 static double mass(void)
@@ -247,9 +236,8 @@ static void test_viscosity(void)
 
     TAP_OK(dem_scalar_count(setting) == 0 && bytes(setting) == 176,
            "with a viscosity of its own the law needs no column");
-    TAP_OK(dem_scalar_count(uniform) == 1 && dem_scalar_index(uniform, "fluidViscosity") == 0
-               && dem_scalar(uniform, 0)[0] == 0.25,
-           "in a fluid the viscosity is a scalar");
+    TAP_OK(dem_scalar_count(uniform) == 1 && dem_scalar_index(uniform, "fluidViscosity") == 0 &&
+           dem_scalar(uniform, 0)[0] == 0.25, "in a fluid the viscosity is a scalar");
     TAP_OK(bytes(uniform) == 184 && uniform->state.contacts.forces.rates == 0
                && !dem_column(&uniform->state.particles, DEM_COLUMN_FLUID_VELOCITY),
            "and the only column: %zu bytes", bytes(uniform));

@@ -15,16 +15,7 @@ static const double window = 32e-5;
 
 static struct dem_flow flow(struct dem *d, int k)
 {
-    const struct dem_flow *all;
-    int n;
-
-    WORLD_TRY(dem_flows(d, &n, &all));
-    if (k >= n)
-    {
-        printf("Bail out! there are %d flows\n", n);
-        exit(1);
-    }
-    return all[k];
+    return world_flow(d, k);
 }
 
 /* windows of 32 steps */
@@ -394,21 +385,19 @@ static void test_balance(void)
     }
     const struct dem_totals t = world_tally(d);
 
-    TAP_OK(
-        balanced,
-        "particles present are those inserted less those removed, none in an outlet, at 300 "
-        "checks");
+    TAP_OK(balanced,
+           "particles present are those inserted less those removed, none in an outlet, at 300 "
+           "checks");
     TAP_OK(flow(d, 1).particles > 100 && flow(d, 2).particles > 100,
            "%lld removed below, %lld at the side", (long long)flow(d, 1).particles,
            (long long)flow(d, 2).particles);
     TAP_OK(twice == 0 && seen == (double)(flow(d, 0).particles - 1),
            "ids are consecutive, none is used twice");
     /* round-off of 300 windows of 32 kicks each, 2e-16 of 1e-3 kg m/s a kick at most */
-    TAP_OK(
-        worst < 1e4*2e-16*t.mass,
-        "momentum is that inserted less that removed plus the impulse of gravity, error %.2g of "
-        "%.2g kg m/s",
-        worst, t.mass);
+    TAP_OK(worst < 1e4*2e-16*t.mass,
+           "momentum is that inserted less that removed plus the impulse of gravity, error %.2g of "
+           "%.2g kg m/s",
+           worst, t.mass);
     dem_free(d);
 }
 
@@ -462,22 +451,18 @@ static void test_patch(void)
 {
     static const double corners[18] = {0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.1, 0.0, 0.0,
                                        0.1, 0.1, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0};
-    struct dem_case *c;
-    struct dem *d;
-    int changed;
-
-    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
-    WORLD_TRY(dem_case_flows_on_request(c));
-    WORLD_TRY(dem_case_scene_text(
-        c,
+    struct dem_case *const c = world_begin(
         "materials { glass { density 2500; youngsModulus 1e5; } } "
         "effects { hertz { } dry { restitution 0.9; } } "
         "time { step 1e-5; } domain { min (0 0 0); max (0.1 0.1 0.1); } "
         "insert { feed { type stream; rate 1e4; "
-        "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }",
-        "slow"));
+        "diameter 2e-3; patch inlet; velocity (0 0 1e-3); } }");
+    int changed;
+
+    WORLD_TRY(dem_case_flows_on_request(c));
     WORLD_TRY(dem_case_add_patch(c, "inlet", 2, corners, NULL));
-    WORLD_TRY(dem_start(&c, &d));
+    struct dem *const d = world_start(c);
+
     for (int k = 0; k < 50; k++)
     {
         WORLD_TRY(dem_flow_apply(d, &changed));
@@ -612,20 +597,14 @@ static void test_units(void)
 
 static void test_own_fluid(void)
 {
-    struct dem_case *c;
-    struct dem *d;
-    struct dem_fluid f;
-
-    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
-    WORLD_TRY(dem_case_scene_text(
-        c,
+    struct dem *const d = world(
         "materials { glass { density 2500; youngsModulus 1e5; } } "
         "effects { hertz { } dry { restitution 0.9; } schillerNaumann { } } "
         "time { step 1e-5; } insert { one { type list; diameter 1e-3; positions ((1 1 1)); } "
-        "feed { type stream; rate 1e5; "
-        "diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }",
-        "own"));
-    WORLD_TRY(dem_start(&c, &d));
+        "feed { type stream; rate 1e5; diameter 1e-3; min (0.1 0.1 0.1); max (0.4 0.4 0.2); } }",
+        0, NULL);
+    struct dem_fluid f;
+
     WORLD_TRY(dem_fluid(d, &f));
     TAP_OK(dem_advance(d, window) != 0 && strstr(dem_error_text(), "dem_case_flows_on_request"),
            "a stream and a fluid of the caller without announcement: %s", dem_error_text());

@@ -234,6 +234,21 @@ static inline double world_scalar(struct dem *d, const char *name, int64_t id)
     exit(1);
 }
 
+/* stream or outlet number k of the scene */
+static inline struct dem_flow world_flow(struct dem *d, int k)
+{
+    const struct dem_flow *all;
+    int n;
+
+    WORLD_TRY(dem_flows(d, &n, &all));
+    if (k >= n)
+    {
+        printf("Bail out! there are %d flows\n", n);
+        exit(1);
+    }
+    return all[k];
+}
+
 /* force on the wall of this name */
 static inline void world_wall(struct dem *d, const char *name, double force[3])
 {

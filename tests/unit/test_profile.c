@@ -96,8 +96,7 @@ static void times(int n, int steps)
         sum += f.phase[k].mean;
         busy += f.phase[k].processor;
     }
-    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the total",
-             n);          /* rounding */
+    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the total", n);          /* rounding */
     TAP_OK(f.wall >= requested - ready && f.wall <= reported - before,
            "%d spheres: %.4g s: between %.4g and %.4g "
            "s", n, f.wall, requested - ready, reported - before);
@@ -109,8 +108,7 @@ static void times(int n, int steps)
     TAP_OK(f.processor >= busy_requested - busy_ready && f.processor <= busy_reported - busy_before,
            "%d spheres: %.4g s of processor time: between %.4g and %.4g s", n, f.processor,
            busy_requested - busy_ready, busy_reported - busy_before);
-    TAP_OK(f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy",
-           n);
+    TAP_OK(f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy", n);
     dem_free(d);
 }
 
@@ -171,8 +169,7 @@ static void sleeping(size_t particles, int steps)
            "%zu particles: who sleeps takes %.3g s, %.3g s of the processor", particles,
            clock[DEM_PHASE_AGREE], processor[DEM_PHASE_AGREE]);
     TAP_OK(clock[DEM_PHASE_OUTSIDE] > 2.0*processor[DEM_PHASE_OUTSIDE] &&
-               clock[DEM_PHASE_OUTSIDE] >= 2.0*each,
-           "%zu particles: so outside", particles);
+           clock[DEM_PHASE_OUTSIDE] >= 2.0*each, "%zu particles: so outside", particles);
     /* nine tenths: what sleeps wakes up now and then */
     TAP_OK(processor[DEM_PHASE_CONTACTS] >= 0.9*2.0*steps*each,
            "%zu particles: who works has %.3g s of the processor", particles,
@@ -201,8 +198,7 @@ static void counts(int n, int steps)
     TAP_OK(f.messages == 0 && f.rebuild_messages == 0 && f.agreements == 0, "alone: no messages");
     TAP_OK(f.bytes > 128.0*n, "a particle has 128 bytes and more, %g", f.bytes/n);
     TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") &&
-               strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
-           "as text");
+           strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"), "as text");
     dem_free(d);
 }
 
