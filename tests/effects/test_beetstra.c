@@ -117,7 +117,8 @@ int main(void)
     TAP_OK(b.drag[1] == around, "the mean around gives the same as the setting");
     own.around = 1;
     TAP_OK(dem_beetstra.extra_needs(&own) == DEM_NEEDS_MEAN_DIAMETER &&
-           dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT, "%s", dem_error_text());
+               dem_beetstra.prepare(&own, NULL) == DEM_ERROR_INPUT,
+           "%s", dem_error_text());
     own.around = 0;
     TAP_OK(dem_beetstra.extra_needs(&own) == 0 && dem_beetstra.prepare(&own, NULL) == DEM_OK,
            "it needs the mean around only with that setting");

@@ -34,12 +34,14 @@ int main(void)
     drag_in_table(&dem_di_felice, NULL, DRAG_DI_FELICE);
     /* rounding of logarithms and powers, 1e-14 of a few */
     TAP_NEAR(G(1.0, 0.0), 0.96, 1e-14, "a single creeping sphere: 4.8^2/24");
-    TAP_NEAR(G(1.0, 1e-12), 0.96, 1e-5, "a single sphere at Re = 1e-12");          /* 2*0.63/4.8 sqrt Re = 2.6e-7 */
+    TAP_NEAR(G(1.0, 1e-12), 0.96, 1e-5,
+             "a single sphere at Re = 1e-12");          /* 2*0.63/4.8 sqrt Re = 2.6e-7 */
     TAP_NEAR(G(0.5, 0.0), 0.96*pow(0.5, -2.7), 1e-13, "at rest in a suspension: e^-2.7");
     TAP_NEAR(exponent(pow(10.0, 1.5)), -2.05, 1e-12, "e^-2.05 at Re = 10^1.5");
     /* exp(-5.5^2/2) = 2.7e-7 */
     TAP_NEAR(exponent(1e7), -2.7, 1e-6, "e^-2.7 at large Re");
-    TAP_NEAR(G(1.0, 1e10)*24.0/1e10, 0.63*0.63, 1e-4, "Newton's regime: Cd = 0.3969");    /* 2*4.8*0.63/1e5 = 6e-5 */
+    TAP_NEAR(G(1.0, 1e10)*24.0/1e10, 0.63*0.63, 1e-4,
+             "Newton's regime: Cd = 0.3969");    /* 2*4.8*0.63/1e5 = 6e-5 */
     for (int k = 0; k < (int)(sizeof suspension/sizeof suspension[0]); k++)
     {
         const double d = suspension[k][0], rho = suspension[k][2], mu = suspension[k][3],

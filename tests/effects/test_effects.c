@@ -262,7 +262,8 @@ static void contact_effect(const struct dem_effect *e)
     scalar_columns_contacts(&many);
     evaluate(e, settings, &many, all);
     TAP_OK(bad_columns(many.kn, many.broke) == 0 && many.fn[DEM_BATCH_ROWS - 1] == 0.0 &&
-           many.fx[0] == 0.0, "%s: rows of zeros", e->name);
+               many.fx[0] == 0.0,
+           "%s: rows of zeros", e->name);
 }
 
 static void body_effect(const struct dem_effect *e)
@@ -317,7 +318,8 @@ static void body_effect(const struct dem_effect *e)
     scalar_columns_bodies(&many);
     dem_effect_apply_to_bodies(e, settings, &many);
     TAP_OK(bad_columns(many.added_mass, many.spin_drag_wz) == 0 &&
-           many.fx[DEM_BATCH_ROWS - 1] == 0.0 && many.drag[0] == 0.0, "%s: rows of zeros", e->name);
+           many.fx[DEM_BATCH_ROWS - 1] == 0.0 && many.drag[0] == 0.0,
+           "%s: rows of zeros", e->name);
     TAP_OK(many.rx[0] == 0.0 && many.spin_drag[DEM_BATCH_ROWS - 1] == 0.0 &&
            many.added_mass[0] == 0.0,
            "%s: rows of zeros have no reaction, rotational drag or added mass", e->name);
@@ -405,7 +407,8 @@ static void description(const struct dem_effect *e)
     TAP_OK(!e->prepare_bodies || e->drag || e->has_added_mass,
            "%s: only drag and added mass prepare a window", e->name);
     TAP_OK(!(e->drag || e->has_reaction || e->has_added_mass || e->has_rotational_drag) ||
-           e->stage == DEM_STAGE_FLUID, "%s: only in a fluid", e->name);
+               e->stage == DEM_STAGE_FLUID,
+           "%s: only in a fluid", e->name);
     TAP_OK(!e->transfers || (e->stage == DEM_STAGE_FLUID && e->transfers->exchange),
            "%s: only in a fluid a scalar is transferred, which has an exchange", e->name);
     TAP_OK(!e->clears_history || (e->history && e->stage < DEM_STAGE_BOND),

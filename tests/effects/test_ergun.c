@@ -41,7 +41,8 @@ int main(void)
         const double e = 0.451335, d = 1e-3, mu = 1.5e-3, U = column[k][0], re = 10.0*U*d/mu;
         const double drop = 0.0156*(1.0 - e)/sphere_volume(d)*(3.0*pi*mu*d*G(e, re))*(U/e)/e;
 
-        TAP_NEAR(drop/column[k][1], 1.0, 1e-7, "15.6 mm of bed at %g m/s: %g Pa", U, column[k][1]);    /* digits printed */
+        TAP_NEAR(drop/column[k][1], 1.0, 1e-7, "15.6 mm of bed at %g m/s: %g Pa", U,
+                 column[k][1]);    /* digits printed */
     }
     TAP_OK(G(1.0, 0.0) == 0.0, "a single creeping sphere: zero (a law for packings)");
     for (double e = 0.2; e < 0.999; e += 0.1)

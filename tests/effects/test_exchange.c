@@ -125,7 +125,8 @@ int main(void)
        b T */
     const double T = 1e-3, B = 2e-6*T, u = 0.5, v = 0.2, J = B*(u - v), K = B/T;
 
-    TAP_NEAR(dem_exchange_force(K, u, J, T) - K*u, -J/T, 1e-15*K, "-J/T at the previous velocity");
+    TAP_NEAR(dem_exchange_force(K, u, J, T) - K*u, -J/T, 1e-15*K,
+             "-J/T at the previous velocity");
     TAP_NEAR(dem_exchange_force(K, u, J, T) - K*(u + 0.1), -(J + B*0.1)/T, 1e-15*K,
              "R du more at another velocity");
 

@@ -28,7 +28,8 @@ int main(void)
         b.fx[c] = 1.0, b.fz[c] = 2.0;
     }
     dem_gravity.apply_to_bodies(settings, &b);
-    TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0, "mass 0: the force is not changed");
+    TAP_OK(b.fx[0] == 1.0 && b.fy[0] == 0.0 && b.fz[0] == 2.0,
+           "mass 0: the force is not changed");
     TAP_OK(b.fx[1] == 1.0 + 0.3 && b.fy[1] == -0.2 && b.fz[1] == 2.0 - 9.81, "1 kg");
     TAP_OK(b.fx[2] == 1.0 + 2.0*0.3 && b.fy[2] == -2.0*0.2 && b.fz[2] == 2.0 - 2.0*9.81, "2 kg");
     TAP_OK(b.drag[2] == 0.0 && b.drag_ux[2] == 0.0, "no drag");

@@ -109,10 +109,12 @@ static void form(int k)
     TAP_OK(scalar_columns.result[1][0][1] == 0.0 && scalar_columns.result[2][0][1] == 0.0,
            "%s: nothing in an empty row", law[k]->name);
     TAP_OK(b.drag[0] == 0.0 && b.fx[0] == 0.0 && b.rx[0] == 0.0 && b.spin_drag[0] == 0.0,
-           "%s: no force", law[k]->name);
+           "%s: no force",
+           law[k]->name);
     fill(0.6, 24.0, 0.0, 350.0, 0.0, 0);
     dem_effect_apply_to_bodies(law[k], NULL, &b);
-    TAP_OK(scalar_columns.result[1][0][0] == 0.0, "%s: nothing without conductivity", law[k]->name);
+    TAP_OK(scalar_columns.result[1][0][0] == 0.0, "%s: nothing without conductivity",
+           law[k]->name);
     TAP_OK(coefficient(k, 0.1, 5.0, 0.7, 0) > 0.0 &&
                nusselt(k, 1.1, 0.0, 0.7) == nusselt(k, 1.0, 0.0, 0.7),
            "%s: void fractions out of range", law[k]->name);

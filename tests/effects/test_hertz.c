@@ -71,7 +71,8 @@ static void limits(void)
     impacts_add(&w, &dem_hertz, "impactSpeed", 1.0);
     apply_setting(&dem_hertz, w.effect_entry[0].settings, &w.pair, "stiffness", 4.0/3.0*25e9);
     TAP_NEAR(dem_hertz.time_limit(w.effect_entry[0].settings, &w.pair, &why),
-             0.05*impacts_contact_time(&w, 1.0), 1e-7*3.67e-6, "a given stiffness: %s", why);                                               /* digits of 2.8682657 */
+             0.05*impacts_contact_time(&w, 1.0), 1e-7*3.67e-6, "a given stiffness: %s",
+             why);                                               /* digits of 2.8682657 */
     w.b.n = 1;
     w.b.overlap[0] = 1e-5, w.b.reduced_radius[0] = 0.005, w.b.fn[0] = 0.0;
     dem_hertz.apply(w.effect_entry[0].settings, &w.b, w.effect_entry[0].history);

@@ -86,8 +86,10 @@ static void impacts(void)
 {
     const double k = 1000.0, v = 0.5, unit = sqrt(0.5*sphere_mass(1e-3, 2500.0)/k);
 
-    TAP_NEAR(impact(k, v, 1.0, -1, 400), 1.0, 1e-4, "no speed lost");              /* second order: (1/400)^2 = 6e-6 */
-    TAP_NEAR(mean(w.peak_overlap, 16), v*unit, 1e-4*v*unit, "overlap v sqrt(m/k)");/* the peak lies within half a step */
+    TAP_NEAR(impact(k, v, 1.0, -1, 400), 1.0, 1e-4,
+             "no speed lost");              /* second order: (1/400)^2 = 6e-6 */
+    TAP_NEAR(mean(w.peak_overlap, 16), v*unit, 1e-4*v*unit,
+             "overlap v sqrt(m/k)");/* the peak lies within half a step */
     /* counted in whole steps */
     TAP_NEAR(w.steps_touching[0], 400, 2, "steps of contact");
     for (double e = 0.1; e < 0.95; e += 0.2)
@@ -112,8 +114,9 @@ static void limits(void)
              "1/20 of the contact time");
     TAP_OK(strstr(why, "glass-glass on a spring of 1e+03 N/m"), "says why: %s", why);
     apply_setting(&dem_hooke, l->settings, &w.pair, "stiffness", 0.0);
-    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why), contact*sqrt(1000.0/1090.8212625),
-             1e-9*contact, "stiffness from the speed: 1/20 of the contact time");
+    TAP_NEAR(dem_hooke.time_limit(l->settings, &w.pair, &why),
+             contact*sqrt(1000.0/1090.8212625), 1e-9*contact,
+             "stiffness from the speed: 1/20 of the contact time");
     apply_setting(&dem_hooke, l->settings, &w.pair, "impactSpeed", 1e-6);
     const double wave = 0.2*pi*1e-3*sqrt(2500.0/(1e7/2.6))/(0.1631*0.3 + 0.8766);
 

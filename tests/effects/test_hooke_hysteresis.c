@@ -288,7 +288,8 @@ static void friction(void)
         w.b.dt = 1.0, w.b.sx[0] = 1.0,
         w.b.sy[0] = w.b.sz[0] = w.b.fx[0] = w.b.fy[0] = w.b.fz[0] = 0.0;
         dem_linear.apply(friction_effect->settings, &w.b, friction_effect->history);
-        TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0], limit);     /* of 1000 increments of a leg */
+        TAP_NEAR(-w.b.fx[0], limit, 1e-6*k*d_lim, "friction at %g N: %g N", w.b.fn[0],
+                 limit);     /* of 1000 increments of a leg */
         load_to(l, &d, 0.8*d_lim, &work);
     }
 }

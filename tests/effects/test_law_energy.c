@@ -146,8 +146,9 @@ static void closes(const struct dem_effect *normal_law, const struct known *k)
         }
     }
     /* a hundred roundings of the largest stored energy */
-    TAP_OK(worst < 1e-14*scale, "%s, %s (%s): residual of a step at most %.2g of the stored energy",
-           normal_law->name, k->effect->name, k->setting, worst/scale);
+    TAP_OK(worst < 1e-14*scale,
+           "%s, %s (%s): residual of a step at most %.2g of the stored energy", normal_law->name,
+           k->effect->name, k->setting, worst/scale);
     TAP_OK(last > 0.0, "some contacts end with loaded springs");
 }
 

@@ -25,7 +25,8 @@ static void stiffness(void)
     const char *why = "";
     const double limit = 0.05*tangential_pi*sqrt(w.mass[0]/(3.5*1234.0));
 
-    TAP_NEAR(dem_linear.time_limit(l->settings, &w.pair, &why), limit, 1e-14*limit, "%s", why);    /* rounding */
+    TAP_NEAR(dem_linear.time_limit(l->settings, &w.pair, &why), limit, 1e-14*limit, "%s",
+             why);    /* rounding */
 }
 
 /* slip after over slip before of contacts that stick */
@@ -84,7 +85,8 @@ static void oblique(void)
         TAP_NEAR(et, table[t][1], 5e-4, "%g degrees: tangential restitution %.4f", table[t][0],
                  table[t][1]);
         TAP_NEAR(spin, table[t][2], 0.1, "%g degrees: spin %.1f 1/s", table[t][0], table[t][2]);
-        TAP_OK(energy <= 1.0 + 1e-5, "%g degrees: no energy gained, %.5f", table[t][0], energy);    /* (pi/4000)^2, leapfrog */
+        TAP_OK(energy <= 1.0 + 1e-5, "%g degrees: no energy gained, %.5f", table[t][0],
+               energy);    /* (pi/4000)^2, leapfrog */
     }
 }
 

@@ -70,7 +70,8 @@ int main(void)
     TAP_OK(lift(d, rho, mu, 0.0, 50.0) == 0.0 && lift(d, rho, mu, 0.1, 0.0) == 0.0,
            "at rest or without spin: no lift");
     TAP_OK(isfinite(lift(d, rho, mu, 1e-250, 1e9)) && isfinite(lift(d, rho, mu, 1e6, 1e9)) &&
-           isfinite(lift(d, rho, 0.0, 1.0, 1.0)), "finite");
+               isfinite(lift(d, rho, 0.0, 1.0, 1.0)),
+           "finite");
     TAP_OK(b.fx[0] == 0.0 && b.drag[0] == 0.0 && b.spin_drag[0] == 0.0,
            "only in the column that the fluid receives");
     TAP_DONE;

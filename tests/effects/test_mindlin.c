@@ -83,7 +83,8 @@ static void rotation(void)
 
     /* each step rounds the length by about 1e-16, 1e4 steps in the worst case add up to 1e-12 */
     TAP_NEAR(fine, 0.0, 1e-12, "10 turns in 10000 steps: the spring keeps its length");
-    TAP_NEAR(lean, 0.0, 1e-15, "it lies in the contact plane in every step");      /* by the last projection */
+    TAP_NEAR(lean, 0.0, 1e-15,
+             "it lies in the contact plane in every step");      /* by the last projection */
     TAP_NEAR(back, 0.0, 1e-12, "after whole turns it is the same");
     TAP_NEAR(rotate_pair(1000, 2.0*tangential_pi/10.0, 0.0, &lean, &back), 0.0, 1e-12,
              "steps of 36 degrees: no error of second order");

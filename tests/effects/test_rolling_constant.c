@@ -58,7 +58,8 @@ static void rest(void)
             impacts_step(&w, dt);
         }
         TAP_NEAR(w.x[0][0][0], distance, 1e-4*distance, "it stays there");
-        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "at rest: spin %g 1/s", w.w[0][1][0]);
+        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "at rest: spin %g 1/s",
+                 w.w[0][1][0]);
         TAP_NEAR(w.v[0][0][0], 0.0, 1e-9*speed[k], "at rest: speed %g m/s", w.v[0][0][0]);
     }
 }

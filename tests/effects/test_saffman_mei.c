@@ -56,7 +56,8 @@ int main(void)
     const double root = 0.3314*sqrt(0.1);
 
     /* 5e-5 of Re_p apart */
-    TAP_NEAR(b.ry[0]/pow(40.001, 1.5)/below, 0.0524*sqrt(4.0)/((1.0 - root)*exp(-4.0) + root), 1e-4,
+    TAP_NEAR(b.ry[0]/pow(40.001, 1.5)/below,
+             0.0524*sqrt(4.0)/((1.0 - root)*exp(-4.0) + root), 1e-4,
              "the step at Re_p = 40 is the published one");
 
     in_shear(d, rho, mu, 0.0, G);

@@ -28,7 +28,8 @@ int main(void)
     w.b.overlap[0] = 2.0*h, w.b.reduced_radius[0] = R;
     w.b.fn[0] = 0.0;
     dem_sjkr.apply(l->settings, &w.b, l->history);
-    TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area, "w times the area of the circle");       /* first order in d/R = 2e-3 */
+    TAP_NEAR(w.b.fn[0], -density*area, 1e-3*density*area,
+             "w times the area of the circle");       /* first order in d/R = 2e-3 */
 
     /* an impact on the softer spring */
     const double soft = k - 2.0*pi*density*R, dt = pi*sqrt(w.pair.min_mass/soft)/400.0;
@@ -52,6 +53,7 @@ int main(void)
     const double push = w.b.fn[0];
 
     dem_sjkr.apply(w.effect_entry[1].settings, &w.b, w.effect_entry[1].history);
-    TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push, "with hertz: equilibrium");    /* rounding */
+    TAP_NEAR(w.b.fn[0], 0.0, 1e-14*push,
+             "with hertz: equilibrium");    /* rounding */
     TAP_DONE;
 }

@@ -187,7 +187,9 @@ static void other_forms(void)
                separations that take longer than the run count as 0 */
             TAP_NEAR(parted > 0 ? impacts_rebound_speed(&w)/v : 0.0, table[t][1 + form], 1e-3,
                      "St = %g, %s: e = %.4f", table[t][0],
-                     form == 0 ? "latched" : form == 1 ? "clamped" : "instantaneous",
+                     form == 0 ? "latched"
+                     : form == 1 ? "clamped"
+                                 : "instantaneous",
                      table[t][1 + form]);
         }
     }

@@ -80,7 +80,8 @@ static void oscillation(void)
             first = passages++ == 0 ? last : first;
         }
     }
-    TAP_NEAR((last - first)*omega/(10.0*moments_pi), 1.0, 1e-4, "oscillates at %g 1/s", omega);    /* (dt omega)^2/24 and reading */
+    TAP_NEAR((last - first)*omega/(10.0*moments_pi), 1.0, 1e-4, "oscillates at %g 1/s",
+             omega);    /* (dt omega)^2/24 and reading */
 }
 
 /* times to rest: the limit torque of the contact area and of the reduced radius */

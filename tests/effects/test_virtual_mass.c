@@ -38,13 +38,15 @@ int main(void)
     TAP_NEAR(C("none", 0.5, 2.5), 0.5, 1e-15, "independent of the void fraction by default");
     TAP_NEAR(C("zuber", 1.0, 2.5), 0.5, 1e-15, "Zuber: a single sphere");
     TAP_NEAR(C("zuber", 0.7, 2.5), 0.5*1.6/0.7, 1e-14, "Zuber: 0.3 of solid");
-    TAP_NEAR(C("zuber", 0.99, 2.5), 0.5 + 1.5*0.01, 2e-4, "Zuber: to first order 1/2 + 3/2 s");      /* the next is 3/2 s^2 */
+    TAP_NEAR(C("zuber", 0.99, 2.5), 0.5 + 1.5*0.01, 2e-4,
+             "Zuber: to first order 1/2 + 3/2 s");      /* the next is 3/2 s^2 */
     TAP_NEAR(C("felderhof", 1.0, 0.001), 0.5, 1e-15, "Felderhof: a single sphere");
     TAP_NEAR(C("felderhof", 0.7, 1.0), 0.5 + 0.13*0.3 - 0.58*0.09 + 1.42*0.027, 1e-14,
              "Felderhof: as dense as the fluid");
     TAP_NEAR(C("felderhof", 0.8, 2.5),
-             0.5 + (0.047*log(2.5) + 0.13)*0.2 - (0.066*log(2.5) + 0.58)*0.04 + 1.42*0.008, 1e-14,
-             "Felderhof: 2.5 times as dense");
+             0.5 + (0.047*log(2.5) + 0.13)*0.2 - (0.066*log(2.5) + 0.58)*0.04 +
+                 1.42*0.008,
+             1e-14, "Felderhof: 2.5 times as dense");
     TAP_OK(C("zuber", 0.1, 1.0) == C("zuber", 0.2, 1.0) && C("zuber", 1.2, 1.0) == 0.5,
            "out of range: as at the limits");
     for (double e = 0.2; e <= 1.0; e += 0.05)
@@ -69,6 +71,7 @@ int main(void)
     TAP_OK(b.fx[0] == 0.0 && b.drag[0] == 0.0, "in no other column");
     TAP_OK(b.added_mass[1] == 0.0 && b.rx[1] == 0.0, "an empty row: zero");
     TAP_OK(dem_virtual_mass.has_added_mass && dem_virtual_mass.has_reaction &&
-           dem_virtual_mass.needs & DEM_NEEDS_ACCELERATION, "it needs the fluid's acceleration");
+               dem_virtual_mass.needs & DEM_NEEDS_ACCELERATION,
+           "it needs the fluid's acceleration");
     TAP_DONE;
 }

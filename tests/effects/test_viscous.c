@@ -67,7 +67,8 @@ int main(void)
 
     struct impacts_effect *const l = &w.effect_entry[0];
 
-    TAP_NEAR(dem_viscous.time_limit(l->settings, &w.pair, &why), 0.1*m, 1e-15*m, "%s", why);    /* rounding */
+    TAP_NEAR(dem_viscous.time_limit(l->settings, &w.pair, &why), 0.1*m, 1e-15*m, "%s",
+             why);    /* rounding */
     apply_setting(&dem_viscous, l->settings, &w.pair, "coefficient", 0.0);
     TAP_OK(dem_viscous.time_limit(l->settings, &w.pair, &why) > 1e300, "no dashpot, no limit");
     TAP_OK(apply_setting(&dem_viscous, l->settings, &w.pair, "coefficient", -1.0) == DEM_ERROR_INPUT, "%s",

@@ -37,7 +37,8 @@ int main(void)
         TAP_NEAR(factor(re), (12.9/sqrt(re) + 128.4/re)*re/(64.0*3.14159265358979324),
                  1e-13, "Dennis and others at %g", re);
     }
-    TAP_NEAR(factor(31.75)/factor(31.7), 1.0, 1e-3, "continuous at Re_r = 32");      /* slope of the fit: 2 % from 31 to 32 */
+    TAP_NEAR(factor(31.75)/factor(31.7), 1.0, 1e-3,
+             "continuous at Re_r = 32");      /* slope of the fit: 2 % from 31 to 32 */
     correction = 0;
     TAP_OK(factor(1000.0) == factor(0.0), "without correction: Stokes'");
     correction = 1;

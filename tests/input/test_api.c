@@ -219,9 +219,10 @@ static void checked(void)
 
     dem_view(d, &v);
     dem_start_overlap(d, &start);
-    TAP_OK(v.n == 0 && !v.position && !v.radius && !v.flags && !v.force && start.wall == 0.0 &&
-           dem_fluid_relaxation(d) == 0.0 && dem_stopped(d) == 0 && dem_ranks_agree(d) &&
-           dem_averages_count(d) == 0, "a checked case has no particles, no rates");
+    TAP_OK(v.n == 0 && !v.position && !v.radius && !v.flags && !v.force && start.wall == 0.0
+               && dem_fluid_relaxation(d) == 0.0
+               && dem_stopped(d) == 0 && dem_ranks_agree(d) && dem_averages_count(d) == 0,
+           "a checked case has no particles, no rates");
     TAP_OK(dem_wall_count(d) == 0 && strcmp(dem_effect_names(d), "hertz") == 0
                && strcmp(dem_material_name(d, 0), "glass") == 0 && !dem_has_bonds(d)
                && !dem_needs_fluid(d) && dem_scene_dict(d) == dem_case_dict(c),
@@ -335,8 +336,9 @@ static void tables(void)
     refused(dem_table_begin(&t, d, 0), "longer than", "a table in a folder with a path that is too long");
     refused(dem_table_append(&t, d, "a", "1\n"), "longer than", "its rows");
     dem_table_name(&t, "/nowhere/at/all", "lost.csv", 0.0);
-    TAP_OK(dem_table_add_losses(&t, d, 0, NULL, 0.0, NULL) == 0 &&
-           dem_table_add_bonds(&t, d, -1, NULL, 0.0) == 0, "a table without rows is not made");
+    TAP_OK(dem_table_add_losses(&t, d, 0, NULL, 0.0, NULL) == 0
+               && dem_table_add_bonds(&t, d, -1, NULL, 0.0) == 0,
+           "a table without rows is not made");
     dem_free(d);
 }
 

@@ -30,8 +30,9 @@ static void try_velocity(const char *what, const char *effects, const char *velo
     struct dem *const d = world_start(c);
     const int status = dem_advance(d, 1e-6);
 
-    TAP_OK(first ? status == DEM_ERROR_NUMBER && strstr(text, first) &&
-           strstr(text, second) : status == 0, "%s: %s", what, status ? text : "accepted");
+    TAP_OK(first ? status == DEM_ERROR_NUMBER && strstr(text, first) && strstr(text, second)
+                 : status == 0,
+           "%s: %s", what, status ? text : "accepted");
     dem_free(d);
 }
 

@@ -65,14 +65,16 @@ static void test_rows(void)
     TAP_OK(a.x[0] == 0.1 && a.x[1] == 0.2 && a.x[2] == 0.3 && a.radius == 1e-3,
            "columns in any order, any separators");
     TAP_OK(a.v[0] == 4.0 && a.v[1] == 5.0 && a.v[2] == 6.0 && a.w[0] == 1.0 && a.w[1] == 2.0 &&
-           a.w[2] == 3.0, "velocities and spins");
+               a.w[2] == 3.0,
+           "velocities and spins");
     TAP_OK(b.x[0] == 1.0 && b.x[2] == 3.0 && b.v[2] == -1.0 && b.radius == 5e-4,
            "the last row is read");
     dem_free(d);
     d = world_start(from_table("x[m],y[m],z[m]\n0,0,0\n0,0,1",
                                "diameter 1e-3; velocity (0 0 7); frozen no;"));
     TAP_OK(world_at(d, 1).x[2] == 1.0 && world_at(d, 1).v[2] == 7.0 &&
-           world_at(d, 1).radius == 5e-4, "values without a column come from the scene");
+               world_at(d, 1).radius == 5e-4,
+           "values without a column come from the scene");
     dem_free(d);
 }
 

@@ -115,7 +115,8 @@ static void slab_volumes(void)
     }
     TAP_NEAR(sum("bulkDensity"), 2500.0*V/5e-8, 2500.0*V/5e-8*digits, "mass of the slabs");
     read_table(d, "all");
-    TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7, "a thousand cells sum to the whole volume");     /* 9 digits of many small numbers */
+    TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7,
+             "a thousand cells sum to the whole volume");     /* 9 digits of many small numbers */
     dem_free(d);
 }
 
@@ -286,7 +287,8 @@ static void wall_friction(int k)
     TAP_NEAR(at(0, shear[k]), 0.5*push*mu*0.8, 1e-4*push,
              "friction on a wall across axis %d: %s", k, shear[k]);
     TAP_NEAR(at(0, shear[last]), -0.5*push*mu*0.6, 1e-4*push, "and %s", shear[last]);
-    TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push, "none in the plane of the wall");     /* velocities change by 0.01 m/s: m/V dv dv */
+    TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push,
+             "none in the plane of the wall");     /* velocities change by 0.01 m/s: m/V dv dv */
     dem_free(w);
 }
 

@@ -639,7 +639,8 @@ int main(void)
     const int64_t all = lattice_bonds(1, 1.0), some = lattice_bonds(1, 0.3);
 
     TAP_OK(all == 2700, "all %d neighbors of a lattice bond", (int)all);
-    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of probability 0.3, %d", (int)some);   /* four standard deviations */
+    TAP_NEAR((double)some, 810.0, 4.0*sqrt(2700.0*0.3*0.7), "of probability 0.3, %d",
+             (int)some);   /* four standard deviations */
     TAP_OK(lattice_bonds(1, 0.3) == some && lattice_bonds(2, 0.3) != some,
            "the same seed gives the same bonds, another seed others");
     TAP_DONE;

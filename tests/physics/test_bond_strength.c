@@ -155,7 +155,8 @@ static void root_of_a_chain(void)
             const struct world_particle p = world_at(d, 0);
 
             TAP_OK(world_tally(d).bonds == bonds - 1 &&
-                   vector_dot(p.f, p.f) + vector_dot(p.t, p.t) == 0.0, "it breaks at its root");
+                       vector_dot(p.f, p.f) + vector_dot(p.t, p.t) == 0.0,
+                   "it breaks at its root");
         }
         dem_free(d);
     }
@@ -187,7 +188,8 @@ static void relaxation(void)
 
             TAP_NEAR(fabs(p.f[0]), forces[next], 1e-6*forces[next], "force after %g s",
                      times[next]);        /* eight digits, and the */
-            TAP_NEAR(t.stored, stored[next], 1e-6*stored[next], "stored");                                   /* moves of half kicks   */
+            TAP_NEAR(t.stored, stored[next], 1e-6*stored[next],
+                     "stored");                                   /* moves of half kicks   */
             TAP_NEAR(t.stored + t.lost, 7.85398163e-7, 1e-6*7.85398163e-7,
                      "stored and lost together");
             next++;

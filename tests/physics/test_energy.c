@@ -115,7 +115,8 @@ static void slides_and_rolls(void)
              "sliding: mu m g times the slip distance");
     /* the first half kick has no history: there the dashpot alone carries mu m g, which slips at
        v */
-    TAP_NEAR(energy_term(d, "residual")/(mass()*v*v/7.0), -3.5*0.3*9.81*impact()/40.0/v, 1e-5,
+    TAP_NEAR(energy_term(d, "residual")/(mass()*v*v/7.0),
+             -3.5*0.3*9.81*impact()/40.0/v, 1e-5,
              "the residual is the first half kick's");
     dem_free(d);
 
@@ -154,8 +155,10 @@ static void belt(void)
     world_run(d, 0.1);
     TAP_NEAR((energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation"))/unit,
              1.0, 1e-2, "belt: kinetic energy");
-    TAP_NEAR(energy_term(d, "lost_mindlin")/unit, 1.0, 1e-2, "belt: heat");      /* the lever arm is shorter by 4e-3 */
-    TAP_NEAR(energy_term(d, "work_walls")/unit, 2.0, 2e-2, "belt: its work");            /* the sum of both above */
+    TAP_NEAR(energy_term(d, "lost_mindlin")/unit, 1.0, 1e-2,
+             "belt: heat");      /* the lever arm is shorter by 4e-3 */
+    TAP_NEAR(energy_term(d, "work_walls")/unit, 2.0, 2e-2,
+             "belt: its work");            /* the sum of both above */
     TAP_NEAR(energy_term(d, "residual")/unit, -3.5*0.3*9.81*impact()/40.0/V, 1e-5,
              "the residual is the first half kick's");
     dem_free(d);

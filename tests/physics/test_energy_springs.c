@@ -190,10 +190,11 @@ int main(void)
     const double m = world_sphere_mass(R, brittle.density);
 
     impacts(&brittle, impact(0.5*m, 0.5*R)/80.0, R, broken);
-    TAP_OK(broken[1] < 1e-2,
-           "bonds that break in the step that makes them: the balance reports the kinetic energy "
-           "lost, to %.2g at worst",
-           broken[1]);
+    TAP_OK(
+        broken[1] < 1e-2,
+        "bonds that break in the step that makes them: the balance reports the kinetic energy "
+        "lost, to %.2g at worst",
+        broken[1]);
 
     const double fine = rolls(2e-6, &lost), coarse = rolls(8e-6, &lost);
 

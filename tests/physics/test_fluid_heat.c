@@ -261,8 +261,7 @@ static void refused(const char *effects, const char *fluid, const char *insert, 
         "materials { glass { density 2500; youngsModulus 1e7; heatCapacity 800; } } effects { hertz "
         "{ } %s } fluid { density 1.2; viscosity 1.8e-5; %s } insert { a { type list; diameter "
         "1e-3; positions ((0 0 0)); %s } }", effects, fluid, insert);
-    world_refused(text,
-                  words);
+    world_refused(text, words);
 }
 
 static void test_input(void)

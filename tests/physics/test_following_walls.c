@@ -221,7 +221,8 @@ static void refusals(void)
                strstr(dem_error_text(), "its faces must stay the same"),
            "another number of triangles is refused: %s", dem_error_text());
     TAP_OK(dem_wall_move(d, "flor", (int64_t)f.now.n, f.now.corner) &&
-           strstr(dem_error_text(), "no wall flor"), "an unknown wall is refused");
+               strstr(dem_error_text(), "no wall flor"),
+           "an unknown wall is refused");
     f.now.corner[7] = NAN;
     TAP_OK(dem_wall_move(d, "floor", (int64_t)f.now.n, f.now.corner) &&
                strstr(dem_error_text(), "not a number"),

@@ -245,10 +245,11 @@ static void exchanges(double density)
         }
     }
     /* rounding of 140 kicks of 1e-4 of the sum */
-    TAP_NEAR(worst/size, 0.0, 1e-14,
-             "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, "
-             "while added mass changes",
-             density);
+    TAP_NEAR(
+        worst/size, 0.0, 1e-14,
+        "%g kg/m3: the fluid gets the momentum of the particles and the carried-over impulse, "
+        "while added mass changes",
+        density);
     dem_free(d);
 }
 

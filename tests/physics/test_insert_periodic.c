@@ -211,9 +211,10 @@ static void test_one_face(void)
     }
     TAP_OK(low[0] < 0.1*radius && high[2] > width - 0.1*radius,
            "a box that ends at a face: centres up to it, %g m away", fmax(low[0], width - high[2]));
-    TAP_OK(high[0] <= (0.006 - radius)*(1.0 + rounding) &&
-           low[2] >= (0.006 + radius)*(1.0 - rounding) && low[1] >= radius*(1.0 - rounding) &&
-           high[1] <= width - radius*(1.0 - rounding), "a radius off its other sides");
+    TAP_OK(high[0] <= (0.006 - radius)*(1.0 + rounding)
+               && low[2] >= (0.006 + radius)*(1.0 - rounding)
+               && low[1] >= radius*(1.0 - rounding) && high[1] <= width - radius*(1.0 - rounding),
+           "a radius off its other sides");
     TAP_NEAR(fmax(overlap(), 0.0), 0.0, rounding, "no overlap");
 }
 

@@ -62,10 +62,12 @@ static double approach(double step, int wall)
 
         kinetic += 0.5*p.mass*speed*speed;
     }
-    TAP_NEAR(after.lost, before.kinetic - kinetic, 1e-12*before.kinetic, "the loss is reported");     /* round-off of 5000 steps */
+    TAP_NEAR(after.lost, before.kinetic - kinetic, 1e-12*before.kinetic,
+             "the loss is reported");     /* round-off of 5000 steps */
     if (!wall)
     {
-        TAP_NEAR(after.momentum[2], before.momentum[2], 1e-13*fabs(before.momentum[2]), "momentum");    /* likewise */
+        TAP_NEAR(after.momentum[2], before.momentum[2], 1e-13*fabs(before.momentum[2]),
+                 "momentum");    /* likewise */
     }
     dem_free(d);
     return 0.2 + v[0] - v[1];

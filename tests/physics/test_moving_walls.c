@@ -93,7 +93,8 @@ static void bounce(const char *shape, const char *moves, double V, const char *w
 
     WORLD_TRY(dem_wall_impulse(d, 0, force, twist));
     TAP_OK(world_tally(d).contacts == 0, "%s: collided and separated", what);
-    TAP_NEAR(p.v[2], 2.0*V - v0, 1e-3*fabs(v0), "%s: returns with 2 V - v", what);   /* t_c/20 and less: see docs/theory-contact.md, accuracy */
+    TAP_NEAR(p.v[2], 2.0*V - v0, 1e-3*fabs(v0), "%s: returns with 2 V - v",
+             what);   /* t_c/20 and less: see docs/theory-contact.md, accuracy */
     TAP_NEAR(force[2], -m*(p.v[2] - v0), 1e-12*m,
              "%s: the impulse on the wall is the momentum that the sphere has lost", what);
     TAP_NEAR(twist[0], 1e-3*force[2], 1e-9*m, "%s: the moment of this impulse", what);
@@ -250,7 +251,8 @@ static void timing(void)
     struct dem *const d = one(walls, "", x, still);
 
     world_run(d, 0.0025);
-    TAP_NEAR(world_at(d, 0).v[2], 0.0, 0.0, "a motion: 1.5 mm when it ends, no contact at 2 mm");
+    TAP_NEAR(world_at(d, 0).v[2], 0.0, 0.0,
+             "a motion: 1.5 mm when it ends, no contact at 2 mm");
     world_run(d, 0.003);
     TAP_NEAR(world_at(d, 0).v[2], 0.0, 0.0, "a motion: the wall then stays");
     dem_free(d);

@@ -70,7 +70,8 @@ int main(void)
     world_run(d, T);
     TAP_NEAR(rotation_error(orientation(d), fmod(w*T, 4.0*world_pi), n), 0.0, 1e-9,
              "3183 turns about an inclined axis");    /* 4e-16 and rounding a step */
-    TAP_NEAR(length(orientation(d)), 1.0, 4e-16, "still a unit quaternion");                     /* one division's rounding */
+    TAP_NEAR(length(orientation(d)), 1.0, 4e-16,
+             "still a unit quaternion");                     /* one division's rounding */
 
     /* the same in two halves, through a file */
     const char *const file = "orientation.dem";

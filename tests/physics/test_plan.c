@@ -65,7 +65,8 @@ static void test_cup(void)
     TAP_NEAR(number_after(text, "the limit is "), pair/20.0, digits*pair/20.0, "the step's limit");
     TAP_NEAR(number_after(text, "next would be "), wall/20.0, digits*wall/20.0, "the next limit");
     TAP_OK(strstr(text, "attraction allowed, default") &&
-           !strstr(text, "restitution 0.85, default"), "defaults are reported");
+               !strstr(text, "restitution 0.85, default"),
+           "defaults are reported");
     TAP_OK(strstr(text, "cupMaxZ            plane, glass"), "walls are listed");
     TAP_NEAR(number_after(text, "weight "), 1000.0*m*9.81, digits*1000.0*m*9.81, "weight");
     TAP_NEAR(number_after(strstr(text, "weight "), ", "), 1000.0*m*9.81/2e-4,
@@ -107,8 +108,9 @@ static void test_columns(void)
     TAP_OK(isnan(
                section(world_text("%s r { type plane; point (-0.1 0 0); normal (1 0 1); }", hall))),
            "none with a ramp");
-    TAP_OK(isnan( section(world_text("%s f { type triangles; corners ((0.5 0 0) (1 0 1) (0.5 1 "
-           "0)); }", hall))),
+    TAP_OK(isnan(
+               section(world_text("%s f { type triangles; corners ((0.5 0 0) (1 0 1) (0.5 1 0)); }",
+                                  hall))),
            "none with triangles");
     TAP_OK(isnan(section(
                "t { type cylinder; point (0 0 0); axis (0 1 0); radius 0.03; particles inside; }")),

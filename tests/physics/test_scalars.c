@@ -125,8 +125,7 @@ static void refused(const char *entry, const char *words)
         "materials { steel { density 7800; youngsModulus 1e7; conductivity 42; heatCapacity 4.64; } }"
         "effects { hertz { } conduction { } } insert { a { type list; diameter 1e-3; "
         "positions ((0 0 0)); %s } }", entry);
-    world_refused(text,
-                  words);
+    world_refused(text, words);
 }
 
 static void test_insertion(void)

@@ -133,7 +133,8 @@ static void like_a_plane(void)
     const struct world_particle p = world_at(a, 0), q = world_at(b, 0);
 
     TAP_OK(memcmp(p.x, q.x, sizeof p.x) == 0 && memcmp(p.v, q.v, sizeof p.v) == 0 &&
-           memcmp(p.w, q.w, sizeof p.w) == 0, "with friction: the same bits as on a plane");
+               memcmp(p.w, q.w, sizeof p.w) == 0,
+           "with friction: the same bits as on a plane");
     dem_free(a);
     dem_free(b);
 }
@@ -544,7 +545,8 @@ static void torque(void)
     for (int k = 0; k < 3; k++)
     {
         TAP_NEAR(twist[k], before[k] - after[k], 1e-11*size,
-                 "torque: the wall has the angular momentum that the sphere has lost, axis %d", k);    /* rounding of 4000 steps */
+                 "torque: the wall has the angular momentum that the sphere has lost, axis %d",
+                 k);    /* rounding of 4000 steps */
     }
     dem_free(d);
 }

@@ -4,6 +4,8 @@
  *
  *   struct dem *d = world(scene, n, seeds);   a run, without MPI; or in two steps:
  *   struct dem_case *c = world_begin(scene); dem_case_...(c, ...); struct dem *d = world_start(c);
+ *   world(world_text("... %g ...", x), n, seeds)   a scene from a format; nobody frees texts
+ *   world_refused(scene, words);                a claim that it is refused by a sentence with these
  *   world_run(d, 0.1); or world_step(d)       for one step of the scene's time/step
  *   world_at(d, id).x[2]                      position, velocity, spin, contact force and torque
  *

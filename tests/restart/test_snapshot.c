@@ -128,7 +128,8 @@ static void large_offsets(void)
     dem_parallel_file_read(&s, place, there, 7);
     dem_parallel_file_read(&s, 0, here, 7);
     TAP_OK(dem_parallel_file_size(&s) == place + 7 && strcmp(there, "beyond") == 0 &&
-           strcmp(here, "before") == 0, "a file of 5 GB is read back");
+               strcmp(here, "before") == 0,
+           "a file of 5 GB is read back");
     dem_parallel_file_read(&s, place, there, 8);
     TAP_OK(dem_parallel_file_close(&s) != 0 && strstr(dem_error_text(), "cut short"),
            "reading beyond its end: %s", dem_error_text());

@@ -120,7 +120,8 @@ static void ratios(void)
     const double expected = 2.09*sqrt(1.0/12.0/n)/1.5;
 
     TAP_NEAR(width, expected, 0.06*expected, "a ratio has the interval of the delta method");
-    TAP_NEAR(covered/(SERIES/4), 0.95, 0.04, "it contains the true ratio");      /* four times sqrt(0.05 0.95/500) */
+    TAP_NEAR(covered/(SERIES/4), 0.95, 0.04,
+             "it contains the true ratio");      /* four times sqrt(0.05 0.95/500) */
 }
 
 static void means(void)

@@ -100,8 +100,9 @@ int main(void)
     int differ = 0, bad = 0;
 
     TAP_TRAPS;
-    TAP_OK(DEM_NEW(one, 9*TRIANGLES) == DEM_OK && DEM_NEW(other, 9*TRIANGLES) == DEM_OK &&
-           DEM_NEW(open, 9*TRIANGLES) == DEM_OK, "memory is allocated");
+    TAP_OK(DEM_NEW(one, 9*TRIANGLES) == DEM_OK && DEM_NEW(other, 9*TRIANGLES) == DEM_OK
+               && DEM_NEW(open, 9*TRIANGLES) == DEM_OK,
+           "memory is allocated");
     const size_t n = make(one);
 
     TAP_OK(n == TRIANGLES, "the block with a notch has %d triangles", TRIANGLES);

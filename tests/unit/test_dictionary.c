@@ -159,19 +159,22 @@ static void lists(void)
     size_t n = 0;
 
     TAP_OK(!dem_dict_numbers(d, "radii", "m", &x, &n) && n == 6 && x[0] == 1e-3 && x[1] == 2e-3 &&
-           x[2] == 0.5 && x[3] == 0.5 && x[4] == -1 && x[5] == 2, "numbers and macros in a list");
+               x[2] == 0.5 && x[3] == 0.5 && x[4] == -1 && x[5] == 2,
+           "numbers and macros in a list");
     TAP_OK(!dem_dict_numbers(d, "counted", "1", &x, &n) && n == 3 && x[2] == 3,
            "a list with type and length");
     TAP_OK(!dem_dict_vectors(d, "points", "m", &v, &n) && n == 2 && v[0][2] == 1 && v[1][0] == 1 &&
-           v[1][2] == 3, "a list of vectors");
+               v[1][2] == 3,
+           "a list of vectors");
     TAP_OK(!dem_dict_words(d, "words", &words, &n) && n == 4 && strcmp(words[1], "b c") == 0 &&
                strcmp(words[2], "div(phi,U)") == 0 && strcmp(words[3], "constant/wall.stl") == 0,
            "a list of words");
     n = items(d, "walls", walls, 4);
     TAP_OK(n == 3, "a list of three dictionaries, found %zu", n);
     TAP_OK(n == 3 && strcmp(dem_dict_name(walls[0]), "floor") == 0 &&
-           strcmp(dem_dict_path(walls[0]), "walls/floor") == 0 &&
-           strcmp(dem_dict_path(walls[1]), "walls[1]") == 0, "with and without a name");
+               strcmp(dem_dict_path(walls[0]), "walls/floor") == 0 &&
+               strcmp(dem_dict_path(walls[1]), "walls[1]") == 0,
+           "with and without a name");
     TAP_OK(n == 3 && !dem_dict_number(walls[1], "k", "1", &k) && k == 0.5,
            "a macro inside an item looks outward");
     TAP_OK(n == 3 && !dem_dict_number(walls[2], "friction", "1", &k) && k == 0.3,
@@ -190,7 +193,8 @@ static void in_order(void)
     TAP_OK(strcmp(dem_entry_name(e), "b") == 0 && dem_entry_tokens(e) == 5,
            "the order of the text");
     TAP_OK(strcmp(dem_entry_token(e, 0), "1") == 0 && strcmp(dem_entry_token(e, 1), "(") == 0 &&
-           !dem_entry_token(e, 5), "raw words");
+               !dem_entry_token(e, 5),
+           "raw words");
     e = dem_dict_entry(d, 1);
     TAP_OK(dem_entry_is_dict(e) && (a = dem_entry_dict(e)) && strcmp(dem_dict_path(a), "a") == 0,
            "a dictionary");
@@ -218,8 +222,9 @@ static void more(void)
 
     TAP_OK(!dem_dict_set(d, "a/x", "$n") && !dem_dict_set(d, "n", "4"), "entries are set");
     TAP_OK(!dem_dict_sub(d, "a", &a) && !dem_dict_number(a, "x", "m", &x) &&
-           !dem_dict_number(a, "y", "m", &y) && !dem_dict_number(d, "n", "1", &n) && x == 3 &&
-           y == 2 && n == 4, "replaces entries, keeps others and can refer to the first text");
+               !dem_dict_number(a, "y", "m", &y) && !dem_dict_number(d, "n", "1", &n) && x == 3 &&
+               y == 2 && n == 4,
+           "replaces entries, keeps others and can refer to the first text");
     TAP_OK(strcmp(dem_entry_where(dem_dict_entry(d, 1)), "n, line 1") == 0,
            "their position is the path");
     TAP_OK(!dem_dict_set(d, "b/c/x", "(1 2)") && !dem_dict_set(d, "a", "{ z 5; }") &&
@@ -474,10 +479,12 @@ static void files(void)
            "a file that includes itself: %s", dem_error_text());
     remove(inner);
     TAP_OK(dem_dict_read_file(&d, top) == DEM_ERROR_FILE &&
-           strstr(dem_error_text(), "line 2: cannot open"), "an absent file: %s", dem_error_text());
+               strstr(dem_error_text(), "line 2: cannot open"),
+           "an absent file: %s", dem_error_text());
     remove(top);
     TAP_OK(dem_dict_read_file(&d, folder) == DEM_ERROR_FILE &&
-           strstr(dem_error_text(), "cannot read"), "a folder: %s", dem_error_text());
+               strstr(dem_error_text(), "cannot read"),
+           "a folder: %s", dem_error_text());
     remove(folder);
 }
 

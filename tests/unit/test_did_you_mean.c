@@ -49,8 +49,9 @@ static void long_words(void)
 
     memset(word, 'h', sizeof word - 1);
     word[sizeof word - 1] = '\0';
-    TAP_OK(dem_did_you_mean_error("effect", word, effects, 5) == DEM_ERROR_INPUT &&
-           !strstr(dem_error_text(), "did you mean"), "no suggestion for a thousand letters");
+    TAP_OK(dem_did_you_mean_error("effect", word, effects, 5) == DEM_ERROR_INPUT
+           && !strstr(dem_error_text(), "did you mean"),
+           "no suggestion for a thousand letters");
 }
 
 /* Words of other codes. */
@@ -82,7 +83,8 @@ static void aliases(void)
                   "rho") == 0,
            "in reverse: rho is suggested for density");
     TAP_OK(!dem_did_you_mean_nearest("Rho", ours, 6) && !dem_did_you_mean_nearest("ef", ours, 6) &&
-           !dem_did_you_mean_nearest(" ", ours, 6), "no alias for parts of a word or another case");
+               !dem_did_you_mean_nearest(" ", ours, 6),
+           "no alias for parts of a word or another case");
     TAP_OK(dem_did_you_mean_error("setting", "radius", ours, 6) &&
                strstr(dem_error_text(), "did you mean diameter, twice the radius?"),
            "a radius is not a diameter: %s", dem_error_text());
@@ -91,8 +93,9 @@ static void aliases(void)
 int main(void)
 {
     TAP_TRAPS;
-    TAP_OK(means("hertzz", "hertz") && means("herz", "hertz") && means("hartz", "hertz") &&
-           means("hretz", "hertz"), "one letter too many, too few, wrong, or two swapped");
+    TAP_OK(means("hertzz", "hertz")
+           && means("herz", "hertz") && means("hartz", "hertz") && means("hretz", "hertz"),
+           "one letter too many, too few, wrong, or two swapped");
     TAP_OK(means("Hertz", "hertz") && means("rollingspring", "rollingSpring"), "the wrong case");
     TAP_OK(means("rolingSprnig", "rollingSpring"), "two errors in a long word");
     TAP_OK(dem_did_you_mean_nearest("lwa", (const char *const[]){"law"}, 1)
@@ -103,11 +106,12 @@ int main(void)
 
     TAP_OK(dem_did_you_mean_error("effect", "hertzz", effects, 5) == DEM_ERROR_INPUT,
            "an unknown word is an input error");
-    TAP_OK(strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? " "known: "
-           "hertz, hooke, mindlin, gravity, rollingSpring") == 0,
-           "known words are listed nearest first (1, 5, 7, 7 and 12 letters off), equals as "
-           "listed: %s",
-           dem_error_text());
+    TAP_OK(
+        strcmp(dem_error_text(), "unknown effect \"hertzz\"; did you mean hertz? "
+                                 "known: hertz, hooke, mindlin, gravity, rollingSpring") == 0,
+        "known words are listed nearest first (1, 5, 7, 7 and 12 letters off), equals as listed: "
+        "%s",
+        dem_error_text());
     TAP_OK(dem_did_you_mean_error("effect", "magnetism", effects, 5) == DEM_ERROR_INPUT
            && strstr(dem_error_text(), "unknown effect \"magnetism\"; known: ") == dem_error_text(),
            "without a guess: %s", dem_error_text());

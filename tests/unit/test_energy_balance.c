@@ -177,7 +177,8 @@ int main(void)
 
     sweep();
     TAP_OK(sum_of(&without_energy, DEM_ENERGY_BALANCE_LOST) == 0.0 &&
-           sum_of(&with_energy, DEM_ENERGY_BALANCE_LOST) == 0.0, "no dissipation before the start");
+               sum_of(&with_energy, DEM_ENERGY_BALANCE_LOST) == 0.0,
+           "no dissipation before the start");
     TAP_NEAR(sum_of(&with_energy, DEM_ENERGY_BALANCE_ELASTIC), 6.0*7.0, 1e-15,
              "elastic energy of own rows counts before the start");
 

@@ -85,8 +85,9 @@ static void columns(void)
     b[9] = 9;
     TAP_OK(DEM_RESIZE(a, capacity, 1000) == DEM_OK && DEM_RESIZE(b, capacity, 1000) == DEM_OK,
            "columns grow together");
-    TAP_OK(a[9].byte[2] == 7 && a[10].byte[0] == 0 && a[999].byte[2] == 0 && b[9] == 9 &&
-           b[10] == 0 && b[999] == 0, "contents are kept, the rest is zero");
+    TAP_OK(a[9].byte[2] == 7 && a[10].byte[0] == 0 && a[999].byte[2] == 0
+           && b[9] == 9 && b[10] == 0 && b[999] == 0,
+           "contents are kept, the rest is zero");
     dem_memory_free(a);
     dem_memory_free(b);
 }
@@ -105,7 +106,8 @@ static void fresh(void)
     TAP_OK(zero, "it is zero to the end of its last cache line");
     TAP_OK(DEM_NEW(empty, 0) == DEM_OK && empty && aligned(empty), "an array of 0 elements is allocated");
     TAP_OK(DEM_NEW(huge, SIZE_MAX/8 + 2) == DEM_ERROR_MEMORY && !huge,
-           "a size that overflows is refused: %s", dem_error_text());
+           "a size that overflows is refused: %s",
+           dem_error_text());
     TAP_OK(DEM_NEW(huge, (size_t)1 << 58) == DEM_ERROR_MEMORY
            && !huge && strstr(dem_error_text(), "2305843009213693952"),
            "a failed allocation is an error that names the bytes: %s", dem_error_text());

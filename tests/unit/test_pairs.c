@@ -245,10 +245,12 @@ int main(void)
     TAP_OK(!dem_pairs_check_counts(((size_t)1 << 31) - 1, ((size_t)1 << 30) - 1),
            "as many as an index can number");
     TAP_OK(dem_pairs_check_counts((size_t)1 << 31, 0) &&
-           strstr(dem_error_text(), "2147483648 particles") &&
-           strstr(dem_error_text(), "more ranks"), "more particles are refused");
+               strstr(dem_error_text(), "2147483648 particles") &&
+               strstr(dem_error_text(), "more ranks"),
+           "more particles are refused");
     TAP_OK(dem_pairs_check_counts(5, (size_t)1 << 32) &&
-           strstr(dem_error_text(), "4294967296 pairs"), "more pairs are refused");
+               strstr(dem_error_text(), "4294967296 pairs"),
+           "more pairs are refused");
     TAP_OK(levels(1.0, 0) == 1, "equal spheres: one level");
     TAP_OK(levels(30.0, 0) > 1, "1:30: %d levels", levels(30.0, 0));
     TAP_OK(levels(30.0, 1) > 1, "one large one among them: %d levels", levels(30.0, 1));

@@ -66,9 +66,12 @@ static void defaults(void)
 
     TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_ERROR_INPUT,
            "missing settings are reported");
-    TAP_OK(error_is( "glue: no value for restitution (speed after over speed before), offset (from "
-           "the " "centre, m); " "these have no default, give them"),
-           "%s", dem_error_text());
+    TAP_OK(
+        error_is(
+            "glue: no value for restitution (speed after over speed before), offset (from the "
+            "centre, m); "
+            "these have no default, give them"),
+        "%s", dem_error_text());
     set(&g, "restitution", 0.5);
     TAP_OK(dem_settings_check_complete(fields, &g, "glue") == DEM_ERROR_INPUT
            && !strstr(dem_error_text(), "restitution"),
@@ -92,9 +95,11 @@ static void numbers(void)
 
     TAP_OK(set(&g, "restitution", 1.2) == DEM_ERROR_INPUT && g.restitution == 1.0,
            "a number out of range changes nothing");
-    TAP_OK(error_is( "glue: restitution 1.2 is out of range; " "give a value from 0 to 1 (speed "
-           "after over speed before)"),
-           "%s", dem_error_text());
+    TAP_OK(
+        error_is(
+            "glue: restitution 1.2 is out of range; "
+            "give a value from 0 to 1 (speed after over speed before)"),
+        "%s", dem_error_text());
     TAP_OK(set(&g, "youngsModulus", 0.0) == DEM_ERROR_INPUT,
            "zero is refused where it is excluded");
     TAP_OK(
@@ -102,17 +107,22 @@ static void numbers(void)
         "%s", dem_error_text());
     TAP_OK(set(&g, "strength", 0.0) == DEM_OK, "zero is accepted where it is not excluded");
     TAP_OK(set(&g, "strength", -1.0) == DEM_ERROR_INPUT, "a negative strength is refused");
-    TAP_OK(error_is( "glue: strength -1 Pa is out of range; " "give a value of 0 Pa or more "
-           "(stress at which it breaks)"),
-           "%s", dem_error_text());
+    TAP_OK(
+        error_is(
+            "glue: strength -1 Pa is out of range; "
+            "give a value of 0 Pa or more (stress at which it breaks)"),
+        "%s", dem_error_text());
     TAP_OK(set(&g, "strength", INFINITY) == DEM_ERROR_INPUT &&
                set(&g, "strength", NAN) == DEM_ERROR_INPUT && g.strength == 0.0,
            "neither an infinite value nor a not-a-number is accepted: %s", dem_error_text());
     TAP_OK(set(&g, "layers", 3.0) == DEM_OK && g.layers == 3.0 &&
-           set(&g, "layers", 2.5) == DEM_ERROR_INPUT, "a count is a whole number");
-    TAP_OK(error_is( "glue: layers 2.5 is not a whole number; " "give a value that is whole, from "
-           "1 to 10 (coats of glue)"),
-           "%s", dem_error_text());
+               set(&g, "layers", 2.5) == DEM_ERROR_INPUT,
+           "a count is a whole number");
+    TAP_OK(
+        error_is(
+            "glue: layers 2.5 is not a whole number; "
+            "give a value that is whole, from 1 to 10 (coats of glue)"),
+        "%s", dem_error_text());
     TAP_OK(g.after == 7.0, "no other member was changed");
 }
 
@@ -122,8 +132,9 @@ static void vectors(void)
     struct glue g;
 
     dem_settings_set_defaults(fields, &g);
-    TAP_OK(dem_settings_set_number(fields, &g, "glue", "axis", along, 3) == DEM_OK &&
-           memcmp(g.axis, along, sizeof along) == 0, "a vector is set");
+    TAP_OK(dem_settings_set_number(fields, &g, "glue", "axis", along, 3) == DEM_OK
+           && memcmp(g.axis, along, sizeof along) == 0,
+           "a vector is set");
     TAP_OK(dem_settings_set_number(fields, &g, "glue", "axis", outside, 3) == DEM_ERROR_INPUT
            && memcmp(g.axis, along, sizeof along) == 0,
            "one component out of range changes none: %s", dem_error_text());
@@ -145,7 +156,8 @@ static void words(void)
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "law", "linear") == DEM_OK && g.law == LINEAR,
            "a choice is set by its word");
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "law", "pwoer") == DEM_ERROR_INPUT &&
-           g.law == LINEAR, "an unknown word changes nothing");
+               g.law == LINEAR,
+           "an unknown word changes nothing");
     TAP_OK(error_is(
                "unknown word for law of glue, \"pwoer\"; did you mean power? known: power, linear"),
            "%s", dem_error_text());
@@ -155,11 +167,13 @@ static void words(void)
                                                                                "false"};
 
         TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", no[i]) == DEM_OK && g.on == 0 &&
-               dem_settings_set_word(fields, &g, "glue", "active", yes[i]) == DEM_OK && g.on == 1,
+                   dem_settings_set_word(fields, &g, "glue", "active", yes[i]) == DEM_OK &&
+                   g.on == 1,
                "a switch takes %s and %s", yes[i], no[i]);
     }
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "active", "maybe") == DEM_ERROR_INPUT &&
-           g.on == 1, "a switch refuses maybe: %s", dem_error_text());
+               g.on == 1,
+           "a switch refuses maybe: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "strength", "high") == DEM_ERROR_INPUT,
            "a number refuses a word");
     TAP_OK(error_is(
@@ -168,10 +182,14 @@ static void words(void)
     TAP_OK(set(&g, "law", 1.0) == DEM_ERROR_INPUT, "a choice refuses a number");
     TAP_OK(error_is("glue: law takes a word, not a number (how it hardens)"), "%s",
            dem_error_text());
-    TAP_OK(set(&g, "restituton", 1.0) == DEM_ERROR_INPUT &&
-           strstr( dem_error_text(), "unknown setting of glue, \"restituton\"; " "did you mean "
-           "restitution? known: restitution, ") == dem_error_text(),
-           "an unknown setting gets the nearest name: %s", dem_error_text());
+    TAP_OK(
+        set(&g, "restituton", 1.0) == DEM_ERROR_INPUT &&
+            strstr(
+                dem_error_text(),
+                "unknown setting of glue, \"restituton\"; "
+                "did you mean restitution? known: restitution, ") ==
+                dem_error_text(),
+        "an unknown setting gets the nearest name: %s", dem_error_text());
     TAP_OK(dem_settings_set_word(fields, &g, "glue", "lwa", "linear") == DEM_ERROR_INPUT &&
                strstr(dem_error_text(), "did you mean law?"),
            "an unknown setting with a word, too: %s", dem_error_text());

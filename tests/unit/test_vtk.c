@@ -171,7 +171,8 @@ static void triangles(void)
                                                                                      16);
 
     TAP_OK(strstr(file, "<Piece NumberOfPoints=\"6\" NumberOfVerts=\"0\"") &&
-           strstr(file, "NumberOfPolys=\"2\">"), "the header has the numbers");
+               strstr(file, "NumberOfPolys=\"2\">"),
+           "the header has the numbers");
     TAP_OK(x && w && c && o && memcmp(x, corner, sizeof corner) == 0 && memcmp(w, wall, 16) == 0 &&
                memcmp(c, connectivity, 48) == 0 && memcmp(o, offsets, 16) == 0,
            "corners, walls and cells are at the positions of the header");
@@ -235,10 +236,12 @@ static void collection(void)
 {
     remove(path);
     TAP_OK(!dem_vtk_collection_add(path, 0.0, "VTK/0.vtp") &&
-           collection_is(ENTRY("0", "VTK/0.vtp")), "the first entry makes a complete collection");
+               collection_is(ENTRY("0", "VTK/0.vtp")),
+           "the first entry makes a complete collection");
     TAP_OK(!dem_vtk_collection_add(path, 0.1, "VTK/1.vtp") &&
-           !dem_vtk_collection_add(path, 0.1 + 0.2, "a & \"b\" <2>") &&
-           !dem_vtk_collection_add(path, 1e-7*4e7, "VTK/3.vtp"), "three more");
+               !dem_vtk_collection_add(path, 0.1 + 0.2, "a & \"b\" <2>") &&
+               !dem_vtk_collection_add(path, 1e-7*4e7, "VTK/3.vtp"),
+           "three more");
     TAP_OK(collection_is(ENTRY("0", "VTK/0.vtp") ENTRY("0.1", "VTK/1.vtp")
                              ENTRY("0.30000000000000004", "a &amp; &quot;b&quot; &lt;2&gt;")
                                  ENTRY("4", "VTK/3.vtp")),
