@@ -13,7 +13,7 @@ def check(c):
         entries = {"walls/drum/radius": radius, "insert/grains/count": 1000,
             "insert/grains/min": (-0.03, 0, -0.094), "insert/grains/max": (0.03, 0.01, -0.05)}
     else:
-        radius, seconds, steady, entries = 0.022, 1.1, 0.6, {}
+        radius, seconds, steady, entries = 0.022, 1.6, 0.8, {}
     run = c.run("scene.dem", dict(entries, **{"time/end": seconds}))
     if not c.runs_to_end(run):
         return
