@@ -43,50 +43,6 @@ static inline double moments_size(const struct impacts *w)
     return sqrt(w->b.mx[0]*w->b.mx[0] + w->b.my[0]*w->b.my[0] + w->b.mz[0]*w->b.mz[0]);
 }
 
-/* a random row, and the same in randomly rotated axes: the moment rotates with them */
-static inline void moments_axes(struct impacts *w, const struct dem_effect *effect,
-                                const char *name, double value)
-{
-    const double s = sin(0.7), c = cos(0.7), t = sin(1.9), u = cos(1.9);
-    const double turned[3][3] = {{c, -s*u, s*t}, {s, c*u, -c*t}, {0.0, t, u}};
-    const double v[4][3] = {{0.6, 0.0, 0.8},
-                            {0.64, 0.02, 0.76},
-                            {3e-6, 1e-6, -2e-6},
-                            {3.0, -7.0, 5.0}};
-    double moment[2][3];
-
-    for (int pass = 0; pass < 2; pass++)
-    {
-        double a[4][3];
-        struct impacts_effect *const l = moments_row(w, effect, name, value);
-
-        for (int k = 0; k < 4; k++)
-        {
-            for (int d = 0; d < 3; d++)
-            {
-                a[k][d] = pass ? dot(turned[d], v[k]) : v[k][d];
-            }
-        }
-        w->b.nx[0] = a[0][0], w->b.ny[0] = a[0][1], w->b.nz[0] = a[0][2];
-        w->b.hx[0] = a[1][0], w->b.hy[0] = a[1][1], w->b.hz[0] = a[1][2];
-        w->b.wx[0] = a[3][0], w->b.wy[0] = a[3][1], w->b.wz[0] = a[3][2];
-        for (int m = 0; effect->history && effect->history[1] && m < 3; m++)
-        {
-            l->column[m][0] = a[2][m];
-        }
-        moments_evaluate(w, l);
-        moment[pass][0] = w->b.mx[0], moment[pass][1] = w->b.my[0], moment[pass][2] = w->b.mz[0];
-    }
-    const double size = sqrt(dot(moment[0], moment[0]));
-
-    TAP_OK(size > 0.0, "a moment of %g N m", size);
-    for (int d = 0; d < 3; d++)
-    {
-        TAP_NEAR(moment[1][d], dot(turned[d], moment[0]), 1e-13*size, "rotated axes, component %d",
-                 d);    /* rounding */
-    }
-}
-
 /* common claims: no moment at rest, apart or under attraction; refused without a normal law */
 static inline void moments_common(struct impacts *w, const struct dem_effect *effect,
                                 const char *name, double value)

@@ -1,11 +1,6 @@
 /*
- * test_beetstra.c -- drag of Beetstra, van der Hoef and Kuipers.
- *
- * - Tabulated values; Stokes' drag for a single creeping sphere; Carman's in a creeping packing;
- *   the paper's slope at large Re.
- * - A mixture has the total drag of spheres of the Sauter mean, and each sphere has a share in
- *   proportion to d^2.
- * - Equal spheres with their own diameter as mean have the drag without a mean.
+ * test_beetstra.c -- drag of Beetstra, van der Hoef and Kuipers has its tabulated values and
+ * limits, and shares in a mixture.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,11 +1,7 @@
 /*
- * test_dry.c -- damping by a coefficient of restitution.
- *
- * - With a Hertzian and with a linear spring the restitution is the one set, at any speed (Chung
- *   and Ooi, Granular Matter 13 (2011) 643, test 3).
- * - e = 1 gives no damping, e = 0 critical damping, both finite.
- * - The clamped variant never attracts and has the bias stated in its help.
- * - Rows without contact give zero and raise no floating-point trap.
+ * test_dry.c -- damping by a coefficient of restitution: with a Hertzian spring the restitution is the
+ * one set, at any speed; 1 gives no damping, 0 critical damping; clamped it never attracts and has the
+ * bias stated in its help. Linear springs are in test_hooke.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -14,8 +10,6 @@
 static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23};
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
 static struct impacts w;
-
-static const double linear_stiffness = 1e6;
 
 /* aluminium oxide, 2.5 mm, on a rigid plane; mean over 16 phases */
 static double bounce(double e, double speed, int clamped, int steps)
@@ -26,17 +20,6 @@ static double bounce(double e, double speed, int clamped, int steps)
     impacts_add(&w, &dem_hertz, "impactSpeed", speed);
     struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
     apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", clamped);
-    impacts_aim(&w, 16, dt, speed);
-    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
-}
-
-static double bounce_linear(double e, double speed, int steps)
-{
-    impacts_wall(&w, &oxide, &rigid, 0.0025);
-    const double dt = 3.14159265358979324*sqrt(w.mass[0]/linear_stiffness)/steps;
-
-    impacts_add(&w, &dem_hooke, "stiffness", linear_stiffness);
-    impacts_add(&w, &dem_dry, "restitution", e);
     impacts_aim(&w, 16, dt, speed);
     return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
 }
@@ -53,12 +36,8 @@ static void restitution_as_set(void)
 
     for (int k = 0; k < (int)(sizeof given/sizeof given[0]); k++)
     {
-        const double e = given[k], coarse = bounce(e, 3.9, 0, 400);
-
-        TAP_NEAR(coarse, e, e < 0.7 ? 6e-4 : 1e-4, "hertz, e = %g at t_c/400", e);
-        TAP_NEAR(bounce(e, 3.9, 0, 4000), e, 1e-4, "hertz, e = %g at t_c/4000", e);
-        TAP_NEAR(bounce_linear(e, 3.9, 400), e, 1e-3, "linear spring, e = %g at t_c/400", e);
-        TAP_NEAR(bounce_linear(e, 3.9, 4000), e, 1e-4, "linear spring, e = %g at t_c/4000", e);
+        TAP_NEAR(bounce(given[k], 3.9, 0, 4000), given[k], 1e-4, "hertz, e = %g at t_c/4000",
+                 given[k]);
     }
     const double a = bounce(0.5, 3.9, 0, 400) - 0.5, b = bounce(0.5, 3.9, 0, 800) - 0.5;
 
@@ -132,29 +111,11 @@ static void closed_forms(void)
     TAP_NEAR(eta, sqrt(5.0)*100.0, 1e-12, "e = 0 with hertz: sqrt(5 m k)");
 }
 
-static void refusals(void)
-{
-    double settings[32] = {0};
-    struct dem_pair_class pair = {.a = &oxide, .b = &rigid, .exponent = 1.5};
-
-    dem_settings_set_defaults(dem_dry.settings, settings);
-    TAP_OK(dem_settings_check_complete(dem_dry.settings, settings, "dry") == DEM_ERROR_INPUT,
-           "restitution has no default");
-    TAP_OK(apply_setting(&dem_dry, settings, &pair, "restitution", 1.1) == DEM_ERROR_INPUT,
-           "e = 1.1: %s", dem_error_text());
-    TAP_OK(apply_setting(&dem_dry, settings, &pair, "restitution", -0.1) == DEM_ERROR_INPUT,
-           "e = -0.1: %s", dem_error_text());
-    pair.exponent = 0.0;
-    TAP_OK(apply_setting(&dem_dry, settings, &pair, "restitution", 0.9) == DEM_ERROR_INPUT,
-           "no spring: %s", dem_error_text());
-}
-
 int main(void)
 {
     TAP_TRAPS;
     closed_forms();
     restitution_as_set();
     clamped();
-    refusals();
     TAP_DONE;
 }

@@ -1,12 +1,6 @@
 /*
- * test_effects.c -- properties of all effects of the list.
- *
- * - Each declares what the manual needs and is found by its name; an unknown name is refused with a
- *   suggestion.
- * - The result of a row has the same bits wherever it is in the batch and however many rows there
- *   are (whole vectors or the remainder).
- * - Rows of zeros (padding) and rows without contact give zeros and raise no floating-point trap.
- * - Each writes the columns that it declares, and no others.
+ * test_effects.c -- every effect of the list is described, gives the same bits wherever a row lies
+ * in a batch, zeros for padding, and writes the columns that it declares only.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

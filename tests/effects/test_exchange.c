@@ -1,12 +1,6 @@
 /*
- * test_exchange.c -- the impulse that the exchange gives to the fluid.
- *
- * - The slip factor is 1/e^2, or 1/e with whole drag, and bounded below e = 0.1.
- * - The fluid gets the impulse J if its velocity has not changed, plus the response times a change
- *   of it.
- * - The Sauter mean of two sizes follows from their volumes and surfaces; it is 0 without particles.
- * - In a model of one cell the exchange of particles that displace the fluid is stable with the
- *   under-relaxation factor, and unstable without.
+ * test_exchange.c -- the exchange gives the fluid the impulse that its formulas state, and is
+ * stable with the under-relaxation factor where it is not without.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

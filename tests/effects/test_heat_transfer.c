@@ -1,12 +1,6 @@
 /*
- * test_heat_transfer.c -- heat transfer between fluid and particle: gunn, ranzMarshall, wakao.
- *
- * - Each has the Nusselt numbers of its published formula, at several Re, Pr and void fractions;
- *   they were computed in another program and have five digits.
- * - At rest Nu is 2 for a single sphere, and Gunn's value in a bed.
- * - It depends on the slip alone, and grows with it; the target is the fluid's temperature; no
- *   force.
- * - Without conductivity and in empty rows there is no heat transfer.
+ * test_heat_transfer.c -- gunn, ranzMarshall and wakao have the Nusselt numbers of their formulas,
+ * computed in another program, and depend on the slip alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,19 +1,12 @@
 /*
- * test_hooke_hysteresis.c -- the hysteretic linear law (Luding 2008).
- *
- * - A scripted path of loading, unloading, attraction and reloading has the forces, history and
- *   work of an independent program (hysteresis_loop.csv); special points agree with closed forms.
- * - Impacts return the closed form of e(v), below and above the speed at which yielding ends, or
- *   stick without gaining energy.
- * - No closed loop gives work; a second evaluation changes nothing.
- * - The limits k_m = k and phi = 0 are linear springs.
- * - Friction has the limit mu (F_n + k_c d).
+ * test_hooke_hysteresis.c -- the hysteretic linear law (Luding 2008): a scripted path has the forces,
+ * history and work of an independent program (hysteresis_loop.csv); impacts return the closed form of
+ * e(v) or stick; k_m = k and phi = 0 are linear springs; friction has the limit mu (F_n + k_c d).
+ * Closed loops are in test_loops.c, the energy of a pair that sticks in stability/22.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "impacts.h"
-
-#include "core/random.h"
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
@@ -114,36 +107,6 @@ static void path(void)
     TAP_NEAR(worst[2], 0.0, 1e-8*k*d_lim*d_lim, "work");
 }
 
-static void points(void)
-{
-    /* largest overlap over d_lim; k_2, overlap without force, overlap and force of the strongest
-       attraction, peak force */
-    static const double table[][6] = {
-        {0.25, 2181.64252, 7.8125e-06, 5.20833333e-06, -0.00568136074, 0.0170440822},
-        {0.5, 3272.46379, 2.08333333e-05, 1.5625e-05, -0.0170440822, 0.0340881645},
-        {0.75, 4363.28505, 3.515625e-05, 2.8125e-05, -0.030679348, 0.0511322467},
-        {1.0, 5454.10631, 5e-05, 4.16666667e-05, -0.0454508859, 0.0681763289},
-        {1.5, 5454.10631, 5e-05, 4.16666667e-05, -0.0454508859, 0.238617151},
-    };
-    const double peak = 0.0681763289;
-
-    for (int r = 0; r < 5; r++)
-    {
-        struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
-        const double *const t = table[r], most = t[0]*d_lim;
-        double d = 0.0, work = 0.0;
-
-        /* nine digits printed */
-        TAP_NEAR(load_to(l, &d, most, &work), t[5], 1e-8*peak, "pressed to %g d_lim: %g N", t[0],
-                 t[5]);
-        TAP_NEAR((at(l, most) - at(l, 0.99*most))/(0.01*most), t[1], 1e-6*t[1],
-                 "unloads on %g N/m", t[1]);
-        TAP_NEAR(at(l, t[2]), 0.0, 1e-8*peak, "no force at %g m", t[2]);
-        TAP_NEAR(at(l, t[3]), t[4], 1e-8*peak, "largest attraction, %g N, at %g m", t[4], t[3]);
-        TAP_NEAR(at(l, 0.5*t[3]), 0.5*t[4], 1e-8*peak, "half of it at half the overlap: on -k_c d");
-    }
-}
-
 /* ---- impacts --------------------------------------------------------------------------------- */
 
 /* e^2 in closed form; negative: sticks */
@@ -202,122 +165,6 @@ static void impacts(void)
     }
 }
 
-/* a pair that sticks continues to oscillate; its largest kinetic energy in 10000 steps never
-   grows */
-static void sticking(void)
-{
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
-    const double m = w.pair.min_mass, v = 0.8*d_lim*sqrt(k/m), dt = pi*sqrt(m/(5.0*k))/20.0;
-    double before = 0.0, worst = 0.0, widest = 0.0;
-
-    impacts_aim(&w, 16, dt, v);
-    for (int span = 0; span < 10; span++)
-    {
-        double most = 0.0;
-
-        for (int s = 0; s < 10000; s++)
-        {
-            impacts_step(&w, dt);
-            for (int c = 0; c < 16; c++)
-            {
-                const double u = w.v[0][2][c] - w.v[1][2][c];
-
-                most = span == 0 && s < 1000 ? most : fmax(most, 0.5*m*u*u);
-                widest = fmax(widest, w.b.overlap[c]);
-            }
-        }
-        worst = span ? fmax(worst, most/before - 1.0) : worst;
-        before = most;
-    }
-    /* peaks lie between steps: (pi/20)^2/2 = 1 % of the energy at most; the leapfrog gains no
-       energy */
-    TAP_NEAR(fmax(worst, 0.0), 0.0, 0.01,
-             "stuck for 100000 steps: the energy of the oscillation grows by %.2g at most", worst);
-    TAP_OK(before < 0.5*m*v*v && widest <= 0.81*d_lim, "it is less than the energy of the impact");
-    for (int c = 0; c < 16; c++)
-    {
-        if (w.b.touching[c] == 0.0)
-        {
-            TAP_OK(0, "row %d has separated", c);
-        }
-    }
-    TAP_OK(l->column[0][0] > 0.0, "no pair has separated");
-}
-
-/* ---- closed loops ---------------------------------------------------------------------------- */
-
-/* 128 contacts with random overlaps, back to 0 at the end; and loops between two overlaps after a
-   random history */
-static void loops(void)
-{
-    static const double adhesion[] = {0.0, 1.0, 5.0};
-
-    for (int a = 0; a < 3; a++)
-    {
-        struct impacts_effect *const l = pair_of(5.0, adhesion[a], 0.05);
-        double d[DEM_BATCH_ROWS] = {0}, force[DEM_BATCH_ROWS] = {0}, work[DEM_BATCH_ROWS] = {0};
-        double target[DEM_BATCH_ROWS] = {0}, from[DEM_BATCH_ROWS] = {0}, least = 1e300;
-
-        w.b.n = DEM_BATCH_ROWS;
-        for (int turn = 0; turn < 12; turn++)
-        {
-            for (int c = 0; c < DEM_BATCH_ROWS; c++)
-            {
-                from[c] = d[c];
-                target[c] = turn == 11
-                                ? 0.0
-                                : 1.6*d_lim*
-                                      dem_random_unit(3, (uint64_t)c, (uint64_t)turn, (uint64_t)a);
-            }
-            for (int s = 1; s <= 500; s++)
-            {
-                for (int c = 0; c < DEM_BATCH_ROWS; c++)
-                {
-                    w.b.overlap[c] = from[c] + (target[c] - from[c])*s/500.0;
-                    w.b.touching[c] = w.b.overlap[c] > 0.0 ? 1.0 : 0.0;
-                    w.b.fn[c] = 0.0;
-                }
-                l->effect->apply(l->settings, &w.b, l->history);
-                for (int c = 0; c < DEM_BATCH_ROWS; c++)
-                {
-                    work[c] += 0.5*(force[c] + w.b.fn[c])*(w.b.overlap[c] - d[c]);
-                    force[c] = w.b.fn[c];
-                    d[c] = w.b.overlap[c];
-                    l->column[0][c] *= w.b.touching[c];
-                }
-            }
-        }
-        for (int c = 0; c < DEM_BATCH_ROWS; c++)
-        {
-            least = fmin(least, work[c]/(k*d_lim*d_lim));
-        }
-        /* error of the trapezoidal rule at kinks: 12 of at most (1.6/500)^2 each */
-        TAP_OK(least > -1e-4, "k_c/k %g: 128 random loops take %.3g k d_lim^2 or more", adhesion[a],
-               least);
-    }
-
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
-    double least = 1e300;
-
-    for (int t = 0; t < 300; t++)
-    {
-        double d = 0.0, unused = 0.0, first = 0.0, second = 0.0;
-        const double low = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 0, 0),
-                     high = 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 1, 0);
-
-        l->column[0][0] = 0.0;
-        load_to(l, &d, 1.5*d_lim*dem_random_unit(4, (uint64_t)t, 2, 0), &unused);
-        load_to(l, &d, low, &unused);
-        load_to(l, &d, high, &first);
-        load_to(l, &d, low, &first);
-        load_to(l, &d, high, &second);
-        load_to(l, &d, low, &second);
-        least = fmin(least, second/(k*d_lim*d_lim));
-    }
-    TAP_OK(least > -1e-5, "300 loops between two overlaps, repeated: %.3g or more",
-           least);    /* (1.5/1000)^2 a kink */
-}
-
 /* ---- other claims -------------------------------------------------------------------------------- */
 
 static void evaluated_twice(void)
@@ -359,12 +206,6 @@ static void limits_of_law(void)
 
     TAP_NEAR(dem_hooke_hysteresis.time_limit(l->settings, &w.pair, &why), limit, 1e-9*limit, "%s",
              why);    /* digits of k */
-    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "unloading", 0.5) ==
-               DEM_ERROR_INPUT,
-           "%s", dem_error_text());
-    TAP_OK(apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", -1.0) ==
-               DEM_ERROR_INPUT,
-           "%s", dem_error_text());
     apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "stiffness", 100.0);
     TAP_NEAR(at(l, 1e-6), 1e-4, 1e-19, "a given stiffness");
 
@@ -458,10 +299,7 @@ int main(void)
     TAP_TRAPS;
     friction();
     path();
-    points();
     impacts();
-    sticking();
-    loops();
     evaluated_twice();
     limits_of_law();
     no_tension();

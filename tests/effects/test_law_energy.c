@@ -1,14 +1,6 @@
 /*
- * test_law_energy.c -- the energy balance of every law with a slipping spring (friction, rolling,
- * twisting), step by step.
- *
- * - The work of the motion (mean of the forces at both ends of the step times the displacement) is
- *   the change of elastic energy plus the loss, to round-off, while the spring sticks, slips,
- *   stiffens and softens, and in the step in which the contact ends.
- * - A contact that ends within one step loses the energy k xi^2/2 of its spring. If it also slips
- *   by s it loses k xi s/2 more, because the step ends without a force.
- * - The dashpot of a sphere that sticks and turns freely takes c v (v + F dt/2 m) dt in a step,
- *   with the velocity in the middle of the kick.
+ * test_law_energy.c -- laws with a slipping spring store or lose the work of the motion, step by
+ * step, to round-off, also where a contact ends.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,12 +1,6 @@
 /*
- * test_loops.c -- closed paths of a contact give no work.
- *
- * - Two bodies pressed, pulled and separated along any closed path take work or none: with every
- *   normal law and every damping, with adhesion, and, sheared to and fro at the same time, with
- *   linear springs and with incremental Mindlin.
- * - Without damping and yield the work is zero.
- *
- * mindlin does not fulfil this (test_mindlin_incremental.c).
+ * test_loops.c -- two bodies on any closed path of their contact take work or none; without
+ * damping and yield the work is zero. mindlin does not fulfil this (test_mindlin_incremental.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,11 +1,7 @@
 /*
- * test_mindlin_incremental.c -- incremental friction with Mindlin's stiffness.
- *
- * - The stiffness is 8 G* sqrt(R* d). Under compression the force does not change; in separation it
- *   decreases with the stiffness. It sticks, slides and is limited as Coulomb friction.
- * - A cycle of slip and compression in which mindlin gains energy loses some here.
- * - Oblique impacts gain no energy, also near the normal, and have the speeds and spins of an
- *   independent integration (Kharaz et al.).
+ * test_mindlin_incremental.c -- incremental friction keeps its force under compression, loses
+ * energy in cycles in which mindlin gains, and gives the oblique impacts of an independent
+ * integration.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

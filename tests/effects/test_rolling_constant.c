@@ -69,7 +69,6 @@ int main(void)
     TAP_TRAPS;
     torque();
     moments_common(&w, &dem_rolling_constant, "friction", 0.1);
-    moments_axes(&w, &dem_rolling_constant, "friction", 0.1);
     rest();
     TAP_DONE;
 }

@@ -51,7 +51,6 @@ int main(void)
     TAP_TRAPS;
     torque();
     moments_common(&w, &dem_rolling_viscous, "time", 1e-3);
-    moments_axes(&w, &dem_rolling_viscous, "time", 1e-3);
     slowing();
     TAP_DONE;
 }

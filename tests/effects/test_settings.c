@@ -1,11 +1,6 @@
 /*
- * test_settings.c -- refusal of wrong settings, for all effects of the list and all their settings.
- *
- * - Refused in `effects` and in `pairs`: a value out of range, a word for a number, a number for a
- *   word, a required setting left out. The sentence gives line, effect, setting, value, limits and
- *   cure. The limits themselves are accepted.
- * - Refused with both names: two laws of one kind, and laws that exclude each other. A law that
- *   needs another is refused without it.
+ * test_settings.c -- wrong settings of every effect, in `effects` and in `pairs`, and laws that
+ * exclude or need each other are refused by one sentence with line, names, limits and cure.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -86,7 +81,6 @@ static int scene(const char *effects, const char *pairs)
     status = status ? status : dem_start(&c, &d);
     dem_case_free(c);
     dem_free(d);
-    free(text);
     return status;
 }
 

@@ -1,13 +1,7 @@
 /*
- * test_stokes_damping.c -- restitution of impacts in a viscous fluid.
- *
- * - The restitution is e_max exp(-beta/St) with the Stokes number of the first contact, on a wall
- *   and between spheres.
- * - The speed is latched until the surfaces separate.
- * - St -> 0 gives critical damping; no limit gives an infinity.
- * - The viscosity comes from the setting, else from the fluid. Added mass enters St: half of the
- *   displaced fluid if its density is known, unless the setting says otherwise or the inertia
- *   already contains it.
+ * test_stokes_damping.c -- the dashpot of impacts in a viscous fluid, row by row: latched speed, limits
+ * without infinities, sources of viscosity and of added mass, other forms of the law. Restitutions
+ * are in physics/test_stokes_impact.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -18,54 +12,6 @@ static const struct dem_material steel = {"steel", 7800.0, 200e9, .poissons_rati
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
 static struct impacts w;
-
-/* a sphere of 6 mm against the plane (pair: against another) with this Stokes number; mean over 16
-   phases */
-static double bounce(double St, double e_max, int wall, int steps)
-{
-    const double speed = 0.5;
-
-    if (wall)
-    {
-        impacts_wall(&w, &steel, &rigid, 0.003);
-    }
-    else
-    {
-        impacts_spheres(&w, &steel, &steel, 0.003, 0.003);
-    }
-    const double R = w.pair.min_radius, mu = w.pair.min_mass*speed/(6.0*pi*R*R*St);
-    const double dt = impacts_contact_time(&w, speed)/steps;
-
-    impacts_add(&w, &dem_hertz, "impactSpeed", speed);
-    struct impacts_effect *const stokes = impacts_add(&w, &dem_stokes_damping, "restitution", e_max);
-    apply_setting(&dem_stokes_damping, stokes->settings, &w.pair, "viscosity", mu);
-    impacts_aim(&w, 16, dt, speed);
-    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/speed : NAN;
-}
-
-/*
- * Tolerance 1 %: the dashpot sees the velocity of half a step before, which reduces e by an error
- * of order dt (see test_dry.c); at t_c/4000 that is 0.15 % at St = 10, where e is 0.03, and less
- * above.
- */
-static void law(void)
-{
-    static const double St[] = {10.0, 15.0, 20.0, 30.0, 50.0, 75.0, 100.0,
-                                152.0, 200.0, 300.0, 500.0, 1000.0, 1e4};
-
-    for (int k = 0; k < (int)(sizeof St/sizeof St[0]); k++)
-    {
-        const double target = 0.97*exp(-35.0/St[k]);
-
-        TAP_NEAR(bounce(St[k], 0.97, 1, 4000), target, 0.01*target, "wall, St = %g: e = %.4f",
-                 St[k], target);
-        TAP_NEAR(bounce(St[k], 0.97, 0, 4000), target, 0.01*target, "pair, St = %g: e = %.4f",
-                 St[k], target);
-    }
-    TAP_NEAR(bounce(100.0, 0.97, 1, 400), 0.97*exp(-0.35), 0.002,
-             "a usual step, t_c/400, at St = 100");
-    TAP_NEAR(bounce(35.0, 1.0, 1, 4000), exp(-1.0), 0.004, "e_max = 1, St = 35: 1/e");
-}
 
 /* one row by hand: m* = 2 g, R* = 3 mm, kn = 1e6 N/m, touching; returns alpha = eta/sqrt(m* kn) */
 static double alpha(const struct impacts_effect *l, double vn, double fluid, double *speed)
@@ -253,7 +199,6 @@ int main(void)
 {
     TAP_TRAPS;
     by_hand();
-    law();
     added("sphere and wall, density alone", DENSITY, &glass, &rigid, 0.003, 0.0, 1);
     added("sphere and wall, density of the run", OF_RUN, &glass, &rigid, 0.003, 0.0, 1);
     added("equal spheres, density of the run", OF_RUN, &glass, &glass, 0.003, 0.003, 0);

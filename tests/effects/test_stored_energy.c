@@ -1,14 +1,6 @@
 /*
- * test_stored_energy.c -- the energy that normal laws and adhesion store and lose.
- *
- * - The force is the slope of the stored energy over the overlap: hertz, hooke, hookeHysteresis on
- *   its unloading line, sjkr, jkr in contact and on its tail.
- * - Loading, unloading, sticking and reloading of hookeHysteresis: the work of the motion is stored
- *   or lost.
- * - jkr loses energy at touching, at separation and when a bond seals the contact: the force of
- *   Johnson, Kendall and Roberts integrated over the radius of the contact area. Touching and
- *   separation together lose the 7.09 (w^5 R*^4/E*^2)^(1/3) of Thornton and Ning.
- * - sjkr loses its energy when a bond replaces the contact.
+ * test_stored_energy.c -- the force of normal laws and adhesion is the slope of the stored energy;
+ * work is stored or lost; jkr loses what Johnson, Kendall and Roberts, and Thornton and Ning say.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -19,13 +19,12 @@
 static void try_velocity(const char *what, const char *effects, const char *velocity,
                          const char *first, const char *second)
 {
-    char *const scene = world_text(
+    struct dem_case *const c = world_begin(world_text(
         "materials { glass { density 2500; youngsModulus 1e7; } } "
         "effects { %s } time { step 1e-6; force yes; } " MEANS
         "insert { a { type list; diameter 1e-3; positions ((0 0 0)); velocity %s; } "
         "b { type list; diameter 1e-3; positions ((0.0010005 0 0)); } }",
-        effects, velocity);
-    struct dem_case *const c = world_begin(scene);
+        effects, velocity));
     const char *const text = dem_error_text();
 
     struct dem *const d = world_start(c);
@@ -35,7 +34,6 @@ static void try_velocity(const char *what, const char *effects, const char *velo
                  : status == 0,
            "%s: %s", what, status ? text : "accepted");
     dem_free(d);
-    free(scene);
 }
 
 int main(void)

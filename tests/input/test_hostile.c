@@ -1,12 +1,6 @@
 /*
- * test_hostile.c -- files and numbers that no user intends are refused quickly, with one sentence.
- *
- * - A folder, a pipe and a device as scene, include, table, surface and snapshot.
- * - Includes that multiply: a limit for files, whether deep or flat.
- * - 20 000 names are read in linear time: walls, groups, outlets, means, entries, words of lists.
- * - Periodic axes and positions so far out that overlaps are lost in rounding.
- * - Spins at which surfaces are faster than light; ids beyond the largest; an empty list; names that
- *   break the rows of tables.
+ * test_hostile.c -- files and numbers that no user intends (pipes, include bombs, 20 000 names,
+ * astronomic values) are refused quickly, with one sentence.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -37,7 +37,6 @@ static struct dem_case *from_table(const char *rows, const char *entries)
     write_table(rows);
     struct dem_case *const c = world_begin(text);
 
-    free(text);
     return c;
 }
 
@@ -135,9 +134,6 @@ static void test_zero(void)
                           k ? "line 2: found a zero byte" : "line 3: found a zero byte"),
                "%s: %s", k ? "sizes" : "rows", status ? dem_error_text() : "taken");
         dem_case_free(c);
-        free(file);
-        free(table);
-        free(text);
     }
 }
 
@@ -155,10 +151,8 @@ static void are_there(struct dem *d, const char *where)
 
 static void test_ids(void)
 {
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, 0.2},
-                                          .diameter = 1e-3,
-                                          .id = -1,
-                                          .material = "glass"};
+    const struct dem_new_particle seed = {
+        .position = {0.0, 0.0, 0.2}, .diameter = 1e-3, .id = -1, .material = "glass"};
     const char *const scene = START
         "bondLinear { normalStiffness 1e9; shearStiffness 1e9; make listed; makeDistance 1.1; "
         "breakDistance 1.2; } }"
@@ -202,9 +196,8 @@ static void test_repeated_ids(void)
     const char *const scene =
         START "} insert { a { type list; diameter 1e-3; ids (7 5); positions ((0 0 0) (0 0 1)); }"
               "b { type list; diameter 1e-3; positions ((0 1 0) (0 1 1)); } }";
-    struct dem_new_particle seed = {.position = {0.0, 0.0, 0.5},
-                                    .diameter = 1e-3,
-                                    .material = "glass"};
+    struct dem_new_particle seed = {
+        .position = {0.0, 0.0, 0.5}, .diameter = 1e-3, .material = "glass"};
 
     for (int64_t id = 4; id <= 10; id++)
     {

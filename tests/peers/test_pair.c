@@ -178,8 +178,6 @@ static double distance(const char *folder, size_t k, int halves, double *place, 
     }
     fclose(f);
     dem_free(d);
-    free(name);
-    free(scene);
     return rows == 161 ? worst : -1.0;
 }
 

@@ -147,7 +147,6 @@ static void run_suna(size_t c, double shift, struct run *r)
         r->frame[f] = measure(x, v, w);
     }
     dem_free(d);
-    free(scene);
 }
 
 static int read_dump(const char *name, struct run *r)
@@ -283,7 +282,6 @@ static void compare(const char *folder, size_t c)
              "%s: kinetic energy at all times, mean difference over the largest", what);
     TAP_NEAR(d.top, 0.0, 0.33, "%s: height of the top in the end, in diameters", what);
     TAP_NEAR(d.contacts, 0.0, 0.36, "%s: contacts a sphere in the end", what);
-    free(name);
 }
 
 int main(int count, char **argument)

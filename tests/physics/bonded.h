@@ -51,21 +51,13 @@ static inline void chain_seeds(struct dem_new_particle *seed, int n, int clamped
 static inline struct dem *bonded(double soft, double step, const char *more, int n,
                                  const struct dem_new_particle *seed)
 {
-    char own[64] = "";
+    const char *const own = step > 0.0 ? world_text("step %.17g;", step) : "";
 
-    if (step > 0.0)
-    {
-        snprintf(own, sizeof own, "step %.17g;", step);
-    }
-    char *const scene =
-        world_text("materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
-                   "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } }"
-                   "time { maxOverlap 1; %s }",
-                   kn*soft, kt*soft, more, own);
-    struct dem *const d = world(scene, n, seed);
-
-    free(scene);
-    return d;
+    return world(world_text(
+        "materials { rock { density 2500; youngsModulus 1e9; poissonsRatio 0.25; } }"
+        "effects { bondLinear { normalStiffness %.17g; shearStiffness %.17g; %s } }"
+        "time { maxOverlap 1; %s }",
+        kn*soft, kt*soft, more, own), n, seed);
 }
 
 /* The view is const; this test casts that away to impose velocities. NULL leaves a velocity

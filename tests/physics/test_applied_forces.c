@@ -1,12 +1,6 @@
 /*
- * test_applied_forces.c -- forces and torques that a scene prescribes for chosen particles.
- *
- * - A particle chosen by id, material, box or time moves by Newton's laws; others and frozen ones
- *   do not feel the force.
- * - Two spheres pressed together by F on a spring k overlap by 2 F/k at most, and the work of both
- *   forces is their kinetic and elastic energy.
- * - A driven particle keeps its velocity and spin. A free one that it hits leaves at twice its
- *   speed, as from a moving wall, and the drive does the work 2 m v^2; lifting takes m g h.
+ * test_applied_forces.c -- forces, torques and drives that a scene prescribes act on the chosen
+ * particles only, move them by Newton's laws, and do the work that the energy balance reports.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -23,14 +17,14 @@ static double mass(void)
    of another material, id 4 is frozen */
 static void pushed(const char *what, const char *forces, const double v[5], const double w[5])
 {
-    char *const scene = world_text(
+    struct dem *const d = world(world_text(
         "materials { m { density %g; youngsModulus 1e7; } other { density %g; youngsModulus 1e7; } }"
         "effects { hooke { stiffness 1000; } }"
         "insert { a { type list; material m; diameter 2e-3; positions ((0 0 0) (5e-3 0 0) (1e-2 0 0)); }"
         "b { type list; material other; diameter 2e-3; positions ((1.5e-2 0 0)); }"
         "c { type list; material m; frozen yes; diameter 2e-3; positions ((2e-2 0 0)); } }"
-        "forces { %s } time { step 1e-6; }", rho, rho, forces);
-    struct dem *const d = world(scene, 0, NULL);
+        "forces { %s } time { step 1e-6; }", rho, rho, forces),
+        0, NULL);
 
     world_run(d, 1e-3);
     for (int k = 0; k < 5; k++)
@@ -42,7 +36,6 @@ static void pushed(const char *what, const char *forces, const double v[5], cons
         TAP_NEAR(p.w[1], w[k], 1e-9, "%s: spin of id %d", what, k);
     }
     dem_free(d);
-    free(scene);
 }
 
 static void chosen(void)
@@ -68,12 +61,11 @@ static void chosen(void)
 static void pressed(void)
 {
     const double F = 0.01, k = 1000.0, m = mass(), w = sqrt(2.0*k/m), half = world_pi/w;
-    char *const scene = world_text(
+    struct dem *const d = energy_world(world_text(
         "materials { m { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; } }"
         "insert { a { type list; diameter 2e-3; positions ((0 0 0) (0 0 2e-3)); } }"
         "forces { down { ids (1); force (0 0 %g); } up { ids (0); force (0 0 %g); } }"
-        "time { step %.17g; }", rho, k, -F, F, half/1000.0);
-    struct dem *const d = energy_world(scene, 0, NULL);
+        "time { step %.17g; }", rho, k, -F, F, half/1000.0), 0, NULL);
 
     world_run(d, half);
     const double overlap = 2.0*R - (world_at(d, 1).x[2] - world_at(d, 0).x[2]);
@@ -83,20 +75,18 @@ static void pressed(void)
     TAP_NEAR(energy_term(d, "work_forces"), F*2.0*F/k, 1e-5*F*2.0*F/k, "work F 2 F/k");
     TAP_NEAR(energy_term(d, "residual"), 0.0, 1e-5*F*2.0*F/k, "no energy comes from nowhere");
     dem_free(d);
-    free(scene);
 }
 
 static void driven(void)
 {
     const double m = mass(), v = 0.1, k = 1000.0, time = 2.0*world_pi*sqrt(m/k), g = 9.81;
-    char *const scene = world_text(
+    struct dem *const d = energy_world(world_text(
         "materials { m { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; }"
         "gravity { acceleration (0 0 %g); } }"
         "insert { a { type list; driven yes; velocity (0 0 %g); spin (3 0 0); diameter 2e-3;"
         "             positions ((0 0 0)); }"
         "b { type list; diameter 2e-3; positions ((0 0 2.0001e-3)); } } time { step %.17g; }",
-        rho, k, 0.0, v, time/4000.0);
-    struct dem *const d = energy_world(scene, 0, NULL);
+        rho, k, 0.0, v, time/4000.0), 0, NULL);
 
     world_run(d, time);
     const struct world_particle a = world_at(d, 0), b = world_at(d, 1);
@@ -108,20 +98,17 @@ static void driven(void)
     TAP_NEAR(energy_term(d, "work_driven"), 2.0*m*v*v, 1e-4*m*v*v, "work of the drive: 2 m v^2");
     TAP_NEAR(energy_term(d, "residual"), 0.0, 1e-4*m*v*v, "no energy comes from nowhere");
     dem_free(d);
-    free(scene);
 
-    char *const lift = world_text(
+    struct dem *const e = energy_world(world_text(
         "materials { m { density %g; youngsModulus 1e7; } } effects { hooke { stiffness %g; }"
         "gravity { acceleration (0 0 %g); } }"
         "insert { a { type list; driven yes; velocity (0 0 %g); diameter 2e-3;"
-        "             positions ((0 0 0)); } } time { step 1e-5; }", rho, k, -g, v);
-    struct dem *const e = energy_world(lift, 0, NULL);
+        "             positions ((0 0 0)); } } time { step 1e-5; }", rho, k, -g, v), 0, NULL);
 
     world_run(e, 0.1);
     TAP_NEAR(energy_term(e, "work_driven"), m*g*v*0.1, 1e-10*m*g*v*0.1, "lifted: m g h");
     TAP_NEAR(energy_term(e, "residual"), 0.0, 1e-10*m*g*v*0.1, "lifted: no energy from nowhere");
     dem_free(e);
-    free(lift);
 }
 
 int main(void)

@@ -1,17 +1,6 @@
 /*
- * test_averages.c -- averages on a grid (solid fraction, velocity, granular temperature, stress)
- * against closed forms.
- *
- * - A sphere contributes to each cell the volume that it has there: slabs exactly, all cells
- *   together its whole volume, also across a periodic face. A cell wider than a periodic box
- *   contains the images, too.
- * - One stream has its velocity and no temperature. Two opposed streams have a third of their
- *   squared speed as temperature, and the stress rho v v.
- * - A column of spheres at rest: stress is the sum of contact force times branch vector over the
- *   volume.
- * - Friction at a wall is a shear stress of half of force times branch.
- * - The mean temperature of spheres of known temperatures is the mixed temperature, over a cell and
- *   over time; scalars without a capacity are weighted by mass, amounts by number.
+ * test_averages.c -- means on a grid (solid fraction, velocity, granular temperature, stress,
+ * particle scalars) have the values of closed forms, also across periodic faces.
  *
  * Sources: volume of a spherical cap; statics; kinetic theory of two streams.
  *
@@ -101,14 +90,13 @@ static void slab_volumes(void)
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R, z = 0.0013;
     const struct dem_new_particle seed[] = {
         {.position = {0.0, 0.0, z}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
-    char *const scene = world_text(
+    struct dem *const d = world(world_text(
         "%s effects { hertz {} } time { step 1e-6; }"
         "averages { slabs { min (-0.005 -0.005 -0.001); max (0.005 0.005 0.004); cells (1 1 10); "
         "interval 1e-6; }"
         "           all { min (-0.0027 -0.0031 -0.001); max (0.0053 0.0049 0.004); "
         "cells (10 10 10); interval 1e-6; } }",
-        material);
-    struct dem *const d = world(scene, 1, seed);
+        material), 1, seed);
 
     world_run(d, 3.5e-6);
     read_table(d, "slabs");
@@ -130,7 +118,6 @@ static void slab_volumes(void)
     TAP_NEAR(sum("solidFraction")*3.2e-10, V, V*1e-7,
              "a thousand cells sum to the whole volume");     /* 9 digits of many small numbers */
     dem_free(d);
-    free(scene);
 }
 
 static void across_periodic_faces(void)
@@ -138,12 +125,11 @@ static void across_periodic_faces(void)
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
     const struct dem_new_particle seed[] = {
         {.position = {0.0002, 0.0098, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
-    char *const scene = world_text(
+    struct dem *const d = world(world_text(
         "%s effects { hertz {} } time { step 1e-6; }"
         "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y); }"
         "averages { all { min (0 0 0); max (0.01 0.01 0.01); cells (5 5 1); interval 1e-6; } }",
-        material);
-    struct dem *const d = world(scene, 1, seed);
+        material), 1, seed);
 
     world_run(d, 1e-6);
     read_table(d, "all");
@@ -153,7 +139,6 @@ static void across_periodic_faces(void)
                at(20, "solidFraction") > 0.0 && at(24, "solidFraction") > 0.0,
            "it is in the four corners of the box");
     dem_free(d);
-    free(scene);
 }
 
 /* One sphere and its images in one cell: the largest number of contributions that a sum can get. */
@@ -162,12 +147,11 @@ static void images(void)
     const double R = 1e-3, V = 4.0/3.0*world_pi*R*R*R;
     const struct dem_new_particle seed[] = {
         {.position = {0.005, 0.005, 0.005}, .diameter = 2.0*R, .id = 0, .material = "glass"}};
-    char *const scene = world_text(
+    struct dem *const d = world(world_text(
         "%s effects { hertz {} } time { step 1e-6; }"
         "domain { min (0 0 0); max (0.01 0.01 0.01); periodic (x y z); }"
         "averages { all { min (-0.01 -0.01 -0.01); max (0.02 0.02 0.02); interval 1e-6; } }",
-        material);
-    struct dem *const d = world(scene, 1, seed);
+        material), 1, seed);
 
     world_run(d, 1e-6);
     read_table(d, "all");
@@ -175,7 +159,6 @@ static void images(void)
              "a sphere and 26 images in one cell: their volume");
     TAP_NEAR(sum("bulkDensity")*2.7e-5, 27.0*V*2500.0, 27.0*V*2500.0*digits, "and mass");
     dem_free(d);
-    free(scene);
 }
 
 /* two layers that slide past each other, apart */
@@ -191,13 +174,10 @@ static void streams(void)
     {
         const double side = k < 25 ? 1.0 : -1.0;
 
-        seed[k] = (struct dem_new_particle){.position = {0.002 + 0.004*(k%5),
-                                                         0.002 + 0.004*(k/5%5),
-                                                         k < 25 ? 0.006 : 0.014},
-                                            .diameter = 2.0*R,
-                                            .velocity = {side*v[0], side*v[1], 0.0},
-                                            .id = k,
-                                            .material = "glass"};
+        seed[k] = (struct dem_new_particle){
+            .position = {0.002 + 0.004*(k%5), 0.002 + 0.004*(k/5%5), k < 25 ? 0.006 : 0.014},
+            .diameter = 2.0*R, .velocity = {side*v[0], side*v[1], 0.0}, .id = k,
+            .material = "glass"};
     }
     struct dem *d = world(scene, 50, seed);
     const double rho = 50.0*2500.0*4.0/3.0*world_pi*R*R*R/8e-6;
@@ -225,7 +205,6 @@ static void streams(void)
     TAP_NEAR(at(0, "stressXX"), 0.0, rho*1e-12, "one stream: stress 0");
     TAP_OK(at(0, "velocityX_ci95") < 1e-12, "one stream: 95 %% interval of width 0");
     dem_free(d);
-    free(scene);
 }
 
 /* n spheres on a floor under gravity: contact k carries the weight of those above it */
@@ -246,10 +225,8 @@ static void column(void)
 
     for (int k = 0; k < HIGH; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, R*(2*k + 1)},
-                                            .diameter = 2.0*R,
-                                            .id = k,
-                                            .material = "glass"};
+        seed[k] = (struct dem_new_particle){
+            .position = {0.0, 0.0, R*(2*k + 1)}, .diameter = 2.0*R, .id = k, .material = "glass"};
     }
     struct dem *const d = world(scene, HIGH, seed);
 
@@ -273,7 +250,6 @@ static void column(void)
     unlink(strcat(strcpy((char[64]){0}, folder), "/box.csv"));
     unlink(strcat(strcpy((char[64]){0}, folder), "/box.vti"));
     dem_free(d);
-    free(scene);
 }
 
 /* A sphere slides on a wall across axis k, friction mu N at the lever R - d: shear stress in both
@@ -292,14 +268,13 @@ static void wall_friction(int k)
     seed.position[k] = R - d;
     seed.velocity[next] = 0.8;
     seed.velocity[last] = -0.6;
-    char *const scene = world_text(
+    struct dem *const w = world(world_text(
         "%s effects { gravity { acceleration (%g %g %g); } hooke { stiffness %g; } "
         "linear { friction %g; stiffness 1000; } }"
         "walls { floor { type plane; point (0 0 0); normal (%g %g %g); } }"
         "averages { box { min (-0.01 -0.01 -0.01); max (0.01 0.01 0.01); start 0.001; "
         "interval 0.0005; } }",
-        material, -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]);
-    struct dem *const w = world(scene, 1, &seed);
+        material, -g*up[0], -g*up[1], -g*up[2], stiffness, mu, up[0], up[1], up[2]), 1, &seed);
     const double push =
         (R - d)*m*g/
         /* Pa: of the weight; friction lies against the velocity (0.8, -0.6) */
@@ -315,7 +290,6 @@ static void wall_friction(int k)
     TAP_NEAR(at(0, shear[next]), 0.0, 1e-2*push,
              "none in the plane of the wall");     /* velocities change by 0.01 m/s: m/V dv dv */
     dem_free(w);
-    free(scene);
 }
 
 static void set_scalar(struct dem *d, const char *name, const double *value, size_t n)
@@ -363,10 +337,9 @@ static void scalars(void)
 
     for (int k = 0; k < N; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.0, 0.0, z[k]},
-                                            .diameter = d[k],
-                                            .id = k,
-                                            .material = k < 2 ? "steel" : "wax"};
+        seed[k] = (struct dem_new_particle){
+            .position = {0.0, 0.0, z[k]}, .diameter = d[k], .id = k,
+            .material = k < 2 ? "steel" : "wax"};
         for (int cell = 0; cell < 2; cell++)
         {
             const double part = k ? (double)cell : 0.5, C = part*rho[k]*world_pi/6.0*d[k]*d[k]*d[k]*c[k];
@@ -394,7 +367,6 @@ static void scalars(void)
            "an interval where it changed in time; granular temperature beside it");
     TAP_OK(columns_named("temperature") == 1 && columns_named("particleTemperature") == 1, "each name once");
     dem_free(w);
-    free(scene);
 }
 
 /* A scalar without a capacity: the fluid's temperature at the particles, and the ratio of parcels. */
@@ -421,7 +393,6 @@ static void scalars_by_mass(void)
     TAP_NEAR(at(0, "fluidTemperature"), (m[0]*T[0] + m[1]*T[1])/9.0, 400.0*digits, "without a capacity: by mass");
     TAP_OK(columns_named("fluidConductivity") == 0, "a scalar that is not written has no mean");
     dem_free(w);
-    free(scene);
 
     scene = world_text(
         "%s effects { hertz {} } parcels { ratio 2; }"
@@ -433,7 +404,6 @@ static void scalars_by_mass(void)
     read_table(w, "box");
     TAP_NEAR(at(0, "parcelRatio"), 2.25, 3.0*digits, "ratio of two parcels of one mass");
     dem_free(w);
-    free(scene);
 }
 
 int main(void)

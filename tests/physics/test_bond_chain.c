@@ -1,13 +1,6 @@
 /*
- * test_bond_chain.c -- a chain of bonded spheres, clamped at one end, against the matrices of the
- * chain and beam theory.
- *
- * - Under an end load it extends, twists and bends as the closed forms state (0.1 %).
- * - Released, it oscillates with the frequencies of its stiffness and mass matrices (0.5 %).
- * - Bending approaches Timoshenko's beam from below as 1 - 1/(4 n^2).
- * - An end moment bends it to a closed polygon.
- *
- * The table was computed in another program from the matrices of the chain.
+ * test_bond_chain.c -- a chain of bonds, clamped at one end, has the deflections and frequencies
+ * of its matrices, and approaches Timoshenko's beam; an end moment closes it to a polygon.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

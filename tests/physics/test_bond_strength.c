@@ -1,12 +1,6 @@
 /*
- * test_bond_strength.c -- the limits at which a bond breaks, and relaxation.
- *
- * - A bond breaks at the stress of its limit, within one increment of the load: tension, shear,
- *   twist, bending, tension with a strength ratio, compression only where it is set to count, shear
- *   under compression and tension (Drucker-Prager), a distance; a chain breaks at its root.
- * - The elastic energy of a broken bond is reported as lost.
- * - At a fixed elongation the force relaxes as exp(-eta t), and the energy that is no longer stored
- *   is lost.
+ * test_bond_strength.c -- a bond breaks at the stress of its limit, within one increment of the
+ * load, its elastic energy is reported as lost, and a relaxing bond loses force as exp(-eta t).
  *
  * Table: R = 1 mm, sigma_max = 1e7 Pa, tau_max = 5e6 Pa, phi = 30 degrees, from the section's
  * formulas in another program.

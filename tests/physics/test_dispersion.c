@@ -126,8 +126,7 @@ int main(void)
 {
     TAP_TRAPS;
     tchen(0.01, 6.0);
-    tchen(0.1, 6.0);
-    tchen(1.0, 6.0);
+    tchen(1.0, 3.0);
 
     /* Falls at 20 m/s through eddies of 2/3 m, L/w = T/3 */
     {

@@ -1,14 +1,6 @@
 /*
- * test_edges.c -- spheres at the edges of flat walls: forces are continuous in position, and elastic
- * bounces keep the kinetic energy.
- *
- * - Two facets that meet at 1 to 90 degrees, concave and convex, of triangles and of planes: spheres
- *   in a row across the edge, thrown at it, keep their energy; the error is of second order in the
- *   step. Hertz and Hooke.
- * - The force on spheres at 1001 places across such an edge has no jump: it is small between near
- *   places, smaller between nearer ones.
- * - A sphere slides over a slit of 1 nm in a floor and feels nothing.
- * - A sphere that bounces about in a tube of 36 facets keeps its energy to second order in the step.
+ * test_edges.c -- at edges of flat walls forces are continuous in position, and elastic bounces
+ * keep the kinetic energy to second order in the step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -45,22 +37,19 @@ static struct dem *fold(const char *law, double angle, int planes, double step, 
     char *const wall = world_text("walls { level { type plane; point (0 0 0); normal (0 0 1); } "
                                   "slope { type plane; point (0 0 0); normal (%.17g 0 %.17g); } }",
                                   -sin(a), cos(a));
-    char *const scene = world_text("materials { glass { density %g; youngsModulus %g; } } "
-                                   "effects { %s } %s %s",
-                                   density, E, law,
-                                   step > 0.0 ? world_text("time { step %.17g; }", step) : "",
-                                   planes ? wall : "");
-    struct dem_case *const c = world_begin(scene);
+    struct dem_case *const c = world_begin(world_text(
+        "materials { glass { density %g; youngsModulus %g; } } "
+        "effects { %s } %s %s",
+        density, E, law,
+        step > 0.0 ? world_text("time { step %.17g; }", step) : "",
+        planes ? wall : ""));
 
     if (!planes)
     {
         add_facets(c, angle, 4.0*R*(double)n);
     }
     WORLD_TRY(dem_case_add_particles(c, n, seed));
-    struct dem *const d = world_start(c);
-    free(wall);
-    free(scene);
-    return d;
+    return world_start(c);
 }
 
 /* a row of spheres just off the fold, k/THROWN of the way from left to right of the edge, in three
@@ -158,9 +147,7 @@ static double largest_jump(double angle, double width)
         const double x = width*(2.0*k/(PLACES - 1) - 1.0) - h*tan(0.5*a);
 
         seed[k] = (struct dem_new_particle){
-            .position = {x, 4.0*R*k, fmax(h, h/cos(a) + x*tan(a))},
-            .diameter = 2.0*R,
-            .id = k,
+            .position = {x, 4.0*R*k, fmax(h, h/cos(a) + x*tan(a))}, .diameter = 2.0*R, .id = k,
             .material = "glass"};
     }
     struct dem *const d = fold(hertz, angle, 0, 1e-9, PLACES, seed);
@@ -203,9 +190,7 @@ static double over_slit(double width, double friction)
     {
         seed[k] = (struct dem_new_particle){
             .position = {3.0*width*(2.0*k/(PLACES - 1) - 1.0), 4.0*R*k, R - rest},
-            .diameter = 2.0*R,
-            .id = k,
-            .material = "ball"};
+            .diameter = 2.0*R, .id = k, .material = "ball"};
     }
     for (int side = -1; side <= 1; side += 2)
     {
@@ -239,10 +224,9 @@ static double in_tube(double step, double *used)
         SIDES = 36
     };
     const double inside = 6.0*R, speed = 0.3, z[2] = {-2.0*R, 2.0*R};
-    const struct dem_new_particle seed = {.position = {2.3*R, 0.7*R, 0.0},
-                                          .velocity = {0.28*speed, 0.96*speed, 0.0},
-                                          .diameter = 2.0*R,
-                                          .material = "glass"};
+    const struct dem_new_particle seed = {
+        .position = {2.3*R, 0.7*R, 0.0}, .velocity = {0.28*speed, 0.96*speed, 0.0},
+        .diameter = 2.0*R, .material = "glass"};
     struct dem_case *const made = world_begin(world_text(
         "materials { glass { density %g; youngsModulus %g; } } effects { %s } %s", density, E, hertz,
         step > 0.0 ? world_text("time { step %.17g; }", step) : ""));

@@ -23,9 +23,7 @@ static void random_lattice(struct dem_new_particle *seed, double pitch, double s
         const int at[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
         seed[k] = (struct dem_new_particle){
-            .diameter = 2e-3*
-                        (1.0 - 0.2*dem_random_unit(3, (uint64_t)k, 2, 0)),
-            .id = k,
+            .diameter = 2e-3* (1.0 - 0.2*dem_random_unit(3, (uint64_t)k, 2, 0)), .id = k,
             .material = "glass"};
         for (int a = 0; a < 3; a++)
         {
@@ -121,7 +119,6 @@ static double run(const struct law_case *w, double step, double *term_value)
     }
     *term_value = energy_term(d, w->term)/kinetic;
     dem_free(d);
-    free(scene);
     return worst/kinetic;
 }
 

@@ -1,12 +1,6 @@
 /*
- * test_flat.c -- two dimensions: with a flat axis all centres stay exactly in the middle plane.
- *
- * - No velocity across the plane and no spin out of it, also in a container of irregular triangles
- *   and under gravity across the plane.
- * - Motion in the plane has the bits of three dimensions between planes.
- * - A restarted run has the bits of the uninterrupted one.
- * - The energy balance closes as in three dimensions.
- * - Streams insert onto the plane.
+ * test_flat.c -- with a flat axis all centres stay exactly in the plane, and motion in it has the
+ * bits of three dimensions between planes.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -34,11 +28,9 @@ static void fill(void)
     {
         struct dem_new_particle *const s = &seed[i];
 
-        *s = (struct dem_new_particle){.position = {-4.2e-3 + 1.2e-3*(i%8),
-                                                    -4.2e-3 + 1.2e-3*(i/8), 3e-4},
-                                       .diameter = 1e-3,
-                                       .id = i,
-                                       .material = "glass"};
+        *s = (struct dem_new_particle){
+            .position = {-4.2e-3 + 1.2e-3*(i%8), -4.2e-3 + 1.2e-3*(i/8), 3e-4}, .diameter = 1e-3,
+            .id = i, .material = "glass"};
         for (int k = 0; k < 2; k++)
         {
             s->velocity[k] = 0.4*(dem_random_unit(1, (uint64_t)i, 0, (uint64_t)k) - 0.5);
@@ -71,14 +63,13 @@ static void add_tube(struct dem_case *made)
 
 static struct dem *tube(const char *domain, double across)
 {
-    char *const text = world_text("%s domain { %s }", world_text(physics, across), domain);
-    struct dem_case *const c = world_begin(text);
+    struct dem_case *const c = world_begin(world_text(
+        "%s domain { %s }", world_text(physics, across), domain));
 
     add_tube(c);
     WORLD_TRY(dem_case_enable_energy(c));
     WORLD_TRY(dem_case_add_particles(c, N, seed));
-    struct dem *const d = world_start(c);
-    return d;
+    return world_start(c);
 }
 
 /* largest distance from the plane, velocity across it or spin out of it; -1 when particles are

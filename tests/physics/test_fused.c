@@ -51,9 +51,8 @@ static void add_beads(struct dem_case *c)
     {
         const double at[3] = {k%SIDE, k/SIDE%SIDE, k/SIDE/SIDE};
 
-        seed[k] = (struct dem_new_particle){.diameter = k%3 ? 1e-3 : 0.8e-3,
-                                            .material = k%2 ? "glass" : "steel",
-                                            .id = k*7%BEADS};
+        seed[k] = (struct dem_new_particle){
+            .diameter = k%3 ? 1e-3 : 0.8e-3, .material = k%2 ? "glass" : "steel", .id = k*7%BEADS};
         for (int m = 0; m < 3; m++)
         {
             seed[k].position[m] = 0.55e-3 + 1.01e-3*at[m];
@@ -83,7 +82,6 @@ static struct dem *scene(const char *laws)
     WORLD_TRY(dem_case_scene_text(c, text, "scene"));
     add_beads(c);
     WORLD_TRY(dem_start(&c, &d));
-    free(text);
     return d;
 }
 

@@ -1,10 +1,6 @@
 /*
- * test_gas_film.c -- heat through the gas between spheres.
- *
- * - The conductance of a pair, and of a sphere and a wall, is the published integral, by
- *   quadrature: apart, near, touching, softer than real, of like and unlike radii.
- * - It is zero beyond the thickness of the film, and small just within it.
- * - A chain with gaps between two walls has the temperatures of these resistances in series.
+ * test_gas_film.c -- heat through the gas between spheres, and at walls, is the published
+ * integral, by quadrature.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -97,18 +93,15 @@ static double conductance(const struct film *f, double soft)
         f->wall ? world_text(" ")
                 : world_text("b { type list; frozen yes; diameter %.17g; positions ((%.17g 0 0)); "
                              "temperature 300; }", 2.0*f->L, f->R + f->L + overlap);
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "materials { steel { density 7800; youngsModulus 1e7; realModulus %.17g; "
         "heatCapacity 464; conductivity 42; } }"
         "effects { hertz { } gasFilm { conductivity %.17g; minGap %.17g; thickness %.17g; } } "
         "time { step %g; force yes; maxStartOverlap 0.1; } %s "
         "insert { a { type list; frozen yes; diameter %.17g; positions ((0 0 0)); temperature 400; } "
-        "%s }", 1e7/soft, k, f->s0, f->t, dt, other, 2.0*f->R, pair);
-    struct dem *const d = world(text, 0, NULL);
+        "%s }", 1e7/soft, k, f->s0, f->t, dt, other, 2.0*f->R, pair),
+        0, NULL);
 
-    free(text);
-    free(pair);
-    free(other);
     world_step(d);
     const double H = mass(f->R)*c*(400.0 - temperature(d, 0))/(dt*100.0);
 
@@ -173,16 +166,15 @@ static void chain(void)
     {
         snprintf(positions + strlen(positions), 64, "(0 0 %.17g) ", R + gap + n*(2.0*R + gap));
     }
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "materials { steel { density 7800; youngsModulus 1e7; heatCapacity 464; } }"
         "effects { hertz { } gasFilm { conductivity %g; minGap 1e-7; } } time { step %g; force yes; } "
         "walls { low { type plane; point (0 0 0); normal (0 0 1); temperature { value 300; } } "
         "high { type plane; point (0 0 %.17g); normal (0 0 -1); temperature { value 400; } } } "
         "insert { chain { type list; frozen yes; diameter %g; positions (%s); temperature 320; } }",
-        k, dt, N*(2.0*R + gap) + gap, 2.0*R, positions);
-    struct dem *const d = world(text, 0, NULL);
+        k, dt, N*(2.0*R + gap) + gap, 2.0*R, positions),
+        0, NULL);
 
-    free(text);
     world_run(d, 3000.0*dt);
     for (int n = 0; n < N; n++)
     {

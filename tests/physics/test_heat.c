@@ -1,13 +1,6 @@
 /*
- * test_heat.c -- conduction of heat through contacts.
- *
- * - A chain of spheres between two walls of given temperature has the steady temperatures of
- *   resistances in series; a mode of the chain decays by the factor of the explicit step.
- * - Two spheres of unlike conductivities and capacities approach each other at the rate of the
- *   closed form; their energy is conserved to rounding.
- * - A contact that is softer than real has the radius of the real one under the same force.
- * - Particles that a scene freezes at its start conduct as before, and only heat limits the step;
- *   the plan of such a scene works.
+ * test_heat.c -- conduction in chains and pairs has the closed forms of the explicit step; frozen
+ * particles conduct as before.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -39,18 +32,15 @@ static struct dem *chain(double low, double high, const double T[N], double step
         snprintf(positions + strlen(positions), 64, "(0 0 %.17g) ", first + n*pitch);
         snprintf(values + strlen(values), 32, "%.17g ", T[n]);
     }
-    char *const text = world_text(
+    return world(world_text(
         "materials { steel { density %g; youngsModulus 1e7; conductivity %g; heatCapacity %g; } }"
         "effects { hertz { } dry { restitution 0.9; } mindlin { friction 0.3; } conduction { } }"
         "walls { low { type plane; point (0 0 0); normal (0 0 1); temperature { value %g; } }"
         "high { type plane; point (0 0 %.17g); normal (0 0 -1); temperature { value %g; } } }"
         "time { step %.17g; force yes; maxStartOverlap 0.1; }"
         "insert { chain { type list; frozen yes; diameter %g; positions (%s); temperatures (%s); } }",
-        rho, k, c, low, 2.0*first + (N - 1)*pitch, high, step, 2.0*R, positions, values);
-    struct dem *const d = world(text, 0, NULL);
-
-    free(text);
-    return d;
+        rho, k, c, low, 2.0*first + (N - 1)*pitch, high, step, 2.0*R, positions, values),
+        0, NULL);
 }
 
 static void test_chain(void)
@@ -101,7 +91,7 @@ static void test_chain(void)
 
 static double pair_conductance(const char *extra, const char *area, double modulus)
 {
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "materials { a { density 7800; youngsModulus %g; poissonsRatio 0.3; conductivity 42; "
         "heatCapacity 464; %s } b { density 2500; youngsModulus %g; poissonsRatio 0.3; "
         "conductivity 1.2; heatCapacity 800; %s } }"
@@ -111,12 +101,10 @@ static double pair_conductance(const char *extra, const char *area, double modul
         "temperature 400; }"
         "b { type list; material b; frozen yes; diameter %g; positions ((%.17g 0 0)); "
         "temperature 300; } }",
-        modulus, extra, modulus, extra, area, 2.0*R, 2.0*R, 2.0*R - overlap);
-    struct dem *const d = world(text, 0, NULL);
+        modulus, extra, modulus, extra, area, 2.0*R, 2.0*R, 2.0*R - overlap), 0, NULL);
     const double Ca = mass(7800.0)*464.0, Cb = mass(2500.0)*800.0;
     double T[2];
 
-    free(text);
     world_step(d);
     world_scalars(d, "temperature", T);
     const double H = Ca*(400.0 - T[0])/(1e-3*100.0);
@@ -156,7 +144,6 @@ static void test_frozen_start(void)
     struct dem *d = world(text, 0, NULL);
 
     WORLD_TRY(dem_save(d, "test_heat.dem"));
-    free(text);
     const double moving = dem_step_limit(d).used;
 
     dem_free(d);
@@ -178,13 +165,11 @@ static void test_frozen_start(void)
 
     TAP_OK(dem_plan(d, &(struct dem_run_info){.duration = 1.0}, &report) == DEM_OK,
            "its plan is made at this step: %s", dem_error_text());
-    free(text);
     dem_free(d);
     text = world_text("%s start { snapshot \"test_heat.dem\"; temperature 350; }", physics);
     d = world(text, 0, NULL);
     world_scalars(d, "temperature", T);
     TAP_OK(T[0] == 350.0 && T[1] == 350.0, "start may give other temperatures");
-    free(text);
     dem_free(d);
     (void)remove("test_heat.dem");
 }

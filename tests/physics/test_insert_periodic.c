@@ -1,15 +1,6 @@
 /*
- * test_insert_periodic.c -- insertion at periodic faces.
- *
- * - A random group in a region that ends at periodic faces is uniform in planes parallel to them:
- *   box, cylinder, mesh.
- * - In a region that ends at one face, centres come up to that face and keep a radius off the other
- *   sides; in one that crosses faces, all spheres lie inside it.
- * - Spheres overlap nothing: neither periodic images of their own group, nor earlier groups on
- *   lattices, in lists and at random on the other side of a face. Lattices do not overlap their
- *   image.
- * - Streams fill a region up to the faces without an overlap of images.
- * - A region wider than the domain is refused; a list that overlaps through a face, too.
+ * test_insert_periodic.c -- insertion at periodic faces is uniform up to the face and overlaps no
+ * image.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -49,13 +40,12 @@ static void read_particles(struct dem *d)
 /* the particles of a scene in a cube of this width, periodic along these axes */
 static void insert(const char *periodic, const char *groups)
 {
-    char *const text = world_text("%s domain { min (0 0 0); max (%g %g %g); periodic (%s); } %s",
-                                  PHYSICS, width, width, width, periodic, groups);
-    struct dem *const d = world(text, 0, NULL);
+    struct dem *const d = world(world_text(
+        "%s domain { min (0 0 0); max (%g %g %g); periodic (%s); } %s",
+        PHYSICS, width, width, width, periodic, groups), 0, NULL);
 
     read_particles(d);
     dem_free(d);
-    free(text);
 }
 
 /* from b, or its nearest image, to a */
@@ -159,7 +149,6 @@ static void test_cylinder(const char *from, const char *to, const char *where)
     TAP_NEAR(unevenness(2), 0.0, noise(), "cylinder %s: uniform along its axis", where);
     TAP_OK(furthest <= 0.0055*(1.0 + rounding), "inside its side");
     TAP_NEAR(fmax(overlap(), 0.0), 0.0, rounding, "no overlap");
-    free(text);
 }
 
 /* The surface of a box between the corners. */
@@ -274,13 +263,13 @@ static void test_lattice(void)
 
 static void test_stream(void)
 {
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "%s domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x y); } insert { "
         "feed { type stream; rate 2e7; diameter 1e-3; min (0 0.009 0.004); max (0.012 0.012 0.008); } "
         "side { type stream; rate 2e7; diameter 1e-3; min (0 -0.003 0.004); max (0.012 0.003 0.006); } "
         "jet { type stream; rate 1e6; diameter 1e-3; velocity (3 0 0); disc { centre "
-        "(0.0119 0.006 0.002); normal (1 0 0); radius 0.002; } } }", PHYSICS);
-    struct dem *const d = world(text, 0, NULL);
+        "(0.0119 0.006 0.002); normal (1 0 0); radius 0.002; } } }", PHYSICS),
+        0, NULL);
     size_t at_x = 0, at_y = 0;
 
     world_run(d, 33e-5);    /* streams are checked in the 32nd step */
@@ -296,20 +285,16 @@ static void test_stream(void)
     TAP_OK(at_y > 0, "%zu near the face of y, at which one region ends", at_y);
     TAP_NEAR(fmax(overlap(), 0.0), 0.0, rounding, "no overlap of images");
     dem_free(d);
-    free(text);
 }
 
 /* ---- refused --------------------------------------------------------------------------------- */
 
 static void test_refused(const char *group, const char *cause)
 {
-    char *const text = world_text("%s domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x); }"
-                                  " insert { %s }", PHYSICS, group);
-    struct dem_case *const c = world_begin(text);
-
-    TAP_OK(world_status(c) != DEM_OK && strstr(dem_error_text(), cause), "refused: %s",
-           dem_error_text());
-    free(text);
+    world_refused(world_text(
+        "%s domain { min (0 0 0); max (0.012 0.012 0.012); periodic (x); }"
+        " insert { %s }", PHYSICS, group),
+                  cause);
 }
 
 int main(void)

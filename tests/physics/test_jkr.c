@@ -1,13 +1,6 @@
 /*
- * test_jkr.c -- adhesion of Johnson, Kendall and Roberts through the whole core.
- *
- * - The attraction is at most 3/2 pi w R*, 4/3 pi w R* where the surfaces just touch, 5/6 pi w R*
- *   at separation.
- * - Each contact loses 7.09 (w^5 R*^4/E*^2)^(1/3), which is reported. Faster spheres rebound with
- *   the rest of their energy, slower ones stick.
- * - All of the loss is on the branch beyond touching.
- * - Friction acts on a sphere that adheres without load.
- * - A bond that seals two adhering spheres books the energy of the adhesion as lost.
+ * test_jkr.c -- adhesion of Johnson, Kendall and Roberts: pull-off forces, loss of energy per
+ * contact, friction without load, and a bond that seals the contact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -28,24 +21,15 @@ static double loss(void)
 
 static struct dem *pair(double gap, double speed, double step)
 {
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0},
-                                              .velocity = {0.5*speed, 0, 0},
-                                              .diameter = 2.0*R,
-                                              .id = 0,
-                                              .material = "clay"},
-                                             {.position = {2.0*R + gap, 0, 0},
-                                              .velocity = {-0.5*speed, 0, 0},
-                                              .diameter = 2.0*R,
-                                              .id = 1,
-                                              .material = "clay"}};
-    char *const scene =
-        world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
-                   "effects { hertz { } jkr { workOfAdhesion %g; } } time { step %g; }",
-                   density, E, w, step);
-    struct dem *const d = world(scene, 2, seed);
-
-    free(scene);
-    return d;
+    const struct dem_new_particle seed[2] = {
+        {.position = {0, 0, 0}, .velocity = {0.5*speed, 0, 0}, .diameter = 2.0*R, .id = 0,
+         .material = "clay"},
+        {.position = {2.0*R + gap, 0, 0}, .velocity = {-0.5*speed, 0, 0}, .diameter = 2.0*R,
+         .id = 1, .material = "clay"}};
+    return world(world_text(
+        "materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
+        "effects { hertz { } jkr { workOfAdhesion %g; } } time { step %g; }",
+        density, E, w, step), 2, seed);
 }
 
 /* Separated slowly from an overlap: both are moved, so that every distance is sampled. */
@@ -130,20 +114,16 @@ static void dragged(const char *law, const char *more, double hertz)
     const double m = world_sphere_mass(R, density), mu = 0.3, pulloff = 1.5*world_pi*w*R;
     const double push = 4.0/3.0*reduced()*sqrt(R)*pow(d0, 1.5),
                  limit = mu*(hertz*push + (1.0 - hertz)*2.0*pulloff);
-    const struct dem_new_particle seed = {.position = {0, 0, R - d0},
-                                          .diameter = 2.0*R,
-                                          .id = 0,
-                                          .material = "clay"};
-    char *const scene = world_text(
+    const struct dem_new_particle seed = {
+        .position = {0, 0, R - d0}, .diameter = 2.0*R, .id = 0, .material = "clay"};
+    struct dem *const d = world(world_text(
         "materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
         "effects { hertz { } jkr { workOfAdhesion %g; } %s { friction %g; tangentialDamping no; "
         "%s } }"
         "walls { belt { type plane; point (0 0 0); normal (0 0 1); surfaceVelocity (10 0 0); } }"
         "time { step 1e-7; }",
-        density, E, w, law, mu, more);
-    struct dem *const d = world(scene, 1, &seed);
+        density, E, w, law, mu, more), 1, &seed);
 
-    free(scene);
     world_run(d, 1e-4);
     const struct world_particle p = world_at(d, 0);
 
@@ -172,14 +152,12 @@ static void sealed(void)
     const struct dem_new_particle seed[2] = {
         {.position = {0, 0, 0}, .diameter = 2.0*R, .id = 0, .material = "clay"},
         {.position = {2.0*R - d0, 0, 0}, .diameter = 2.0*R, .id = 1, .material = "clay"}};
-    char *const scene =
-        world_text("materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
-                   "effects { hertz { } jkr { workOfAdhesion %g; } bondLinear { normalStiffness "
-                   "1e9; shearStiffness 1e9; make always; time 1e-6; } } time { step 1e-7; }",
-                   density, E, w);
-    struct dem *const d = energy_world(scene, 2, seed);
+    struct dem *const d = energy_world(world_text(
+        "materials { clay { density %g; youngsModulus %g; poissonsRatio 0.3; } }"
+        "effects { hertz { } jkr { workOfAdhesion %g; } bondLinear { normalStiffness "
+        "1e9; shearStiffness 1e9; make always; time 1e-6; } } time { step 1e-7; }",
+        density, E, w), 2, seed);
 
-    free(scene);
     TAP_NEAR(energy_term(d, "elastic_hertz") + energy_term(d, "elastic_jkr"), held, 1e-9*-held,
              "two spheres in balance hold -52.33 pi w a_t^2/8");
     world_run(d, 2e-6);

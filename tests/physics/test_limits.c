@@ -40,10 +40,7 @@ static struct dem *start(const struct motion *m, double step)
     char *const scene = step > 0.0 ? world_text("%s time { step %.17g; force yes; maxOverlap 1; }",
                                                 m->scene, step)
                                    : world_text("%s", m->scene);
-    struct dem *const d = world(scene, m->n, m->seed);
-
-    free(scene);
-    return d;
+    return world(scene, m->n, m->seed);
 }
 
 static double limit_of(const struct motion *m)
@@ -215,8 +212,8 @@ static void chain(const char *name, double kn, double kt, double lambda, int axi
     {
         const double sign = k % 2 ? alternate : 1.0;
 
-        m.seed[k] = (struct dem_new_particle){.position = {(2.0*k + 1.0)*R, 0.0, 0.0},
-                                              .diameter = 2.0*R, .id = k, .material = "a"};
+        m.seed[k] = (struct dem_new_particle){
+            .position = {(2.0*k + 1.0)*R, 0.0, 0.0}, .diameter = 2.0*R, .id = k, .material = "a"};
         (axis < 3 ? m.seed[k].velocity : m.seed[k].spin)[axis % 3] = sign*(axis < 3 ? 1e-6 : 1e-3);
     }
     oscillates(&m);

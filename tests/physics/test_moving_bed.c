@@ -1,11 +1,6 @@
 /*
- * test_moving_bed.c -- neighbor lists of a bed that moves as a whole.
- *
- * - A packing that moves ten diameters through a periodic box has the contacts of one at rest and
- *   as few rebuilds.
- * - A bed that slides over a plane, over triangles, under a moving wall or past frozen spheres has
- *   the same bits with tuned, thin and thick skins: no contact is missed.
- * - Skins are tuned by counts only, so two runs have the same number of rebuilds and prunes.
+ * test_moving_bed.c -- the neighbor lists of a bed that moves as a whole miss no contact and are
+ * rebuilt as rarely as at rest.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -40,10 +35,9 @@ static struct dem *packing(double speed)
     {
         const int cell[3] = {k%SIDE, k/SIDE%SIDE, k/(SIDE*SIDE)};
 
-        seed[k] = (struct dem_new_particle){.diameter = 1e-3,
-                                            .id = k,
-                                            .material = "glass",
-                                            .velocity = {speed, 0.7*speed, -0.4*speed}};
+        seed[k] = (struct dem_new_particle){
+            .diameter = 1e-3, .id = k, .material = "glass",
+            .velocity = {speed, 0.7*speed, -0.4*speed}};
         for (int a = 0; a < 3; a++)
         {
             seed[k].position[a] =
@@ -51,10 +45,7 @@ static struct dem *packing(double speed)
                 1e-5*(2.0*dem_random_unit(5, (uint64_t)k, 0, (uint64_t)a) - 1.0);
         }
     }
-    struct dem *const d = world(scene, SIDE*SIDE*SIDE, seed);
-
-    free(scene);
-    return d;
+    return world(scene, SIDE*SIDE*SIDE, seed);
 }
 
 static void fly(void)
@@ -94,17 +85,14 @@ struct slide
 
 static struct dem *sliding(const struct slide *s, const char *skins)
 {
-    char *const scene = world_text(
+    return world(world_text(
         LAWS
         "walls { %s } domain { %s } %s insert { bed { type lattice; diameter"
         " 1e-3; count 150; min (0 0 0.0005); max (0.012 0.006 0.02); jitter 0.8; "
         "velocity (1 0.2 -0.4); } %s }",
         "gravity { acceleration (0 0 -9.81); }", s->walls,
-        s->domain ? s->domain : "x (0 0.012); y (0 0.006); periodic (x y);", skins, s->others);
-    struct dem *const d = world(scene, 0, NULL);
-
-    free(scene);
-    return d;
+        s->domain ? s->domain : "x (0 0.012); y (0 0.006); periodic (x y);", skins, s->others),
+        0, NULL);
 }
 
 static void pass(const struct slide *s)
@@ -120,7 +108,7 @@ static void pass(const struct slide *s)
     {
         struct dem *const d = sliding(s, k < CASES ? skins[k] : "");
 
-        world_run(d, 0.02);
+        world_run(d, 0.01);
         *(k < CASES ? &t[k] : &again) = world_tally(d);
         hash[k < CASES ? k : CASES - 1] = world_hash(d);
         dem_free(d);

@@ -1,18 +1,6 @@
 /*
- * test_parcels.c -- parcels of l^3 grains.
- *
- * - Impacts of two parcels and of two grains are similar, with each contact law that has a scaling
- *   rule: the same restitution, overlap over the diameter and heat per mass, l times the duration.
- *   So is the rolling of a parcel, with each resistance to rolling.
- * - In a fluid a parcel has the velocity and the temperature of a grain, with each law of drag,
- *   lift, added mass and heat transfer; its impulse from the fluid and its response are l^3 times
- *   the grain's, and momentum is conserved.
- * - A row of parcels conducts as the rows of grains that it represents.
- * - Diameters in lattices, random groups, lists, tables and streams are the grains', and the mass
- *   of a group is as given.
- * - Refused: a law without a rule, by its name; wrong entries; different ratios where a law needs
- *   one; a snapshot of parcels in a scene without parcels.
- * - A scene without parcels has no column for them.
+ * test_parcels.c -- parcels of l^3 grains scale as each law states; entries that have no rule are
+ * refused.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -35,12 +23,12 @@ struct impact
 static struct impact impact_of(const char *laws, double l)
 {
     const double D = l*d, gap = 2.037e-4*D, dt = 2e-7*l;
-    char *const text = world_text(
+    struct dem *const s = world(world_text(
         "materials { glass { density %g; youngsModulus 1e7; } } effects { %s } parcels { ratio %g; }"
         "time { step %.17g; force yes; } insert { two { type list; diameter %g; "
         "positions ((0 0 0) (%.17g 0 0)); velocities ((0.1 0 0) (-0.1 0 0)); } }",
-        rho, laws, l, dt, d, D + gap);
-    struct dem *const s = world(text, 0, NULL);
+        rho, laws, l, dt, d, D + gap),
+        0, NULL);
     struct impact found = {0};
     double x[2];
     int steps = 0;
@@ -54,7 +42,6 @@ static struct impact impact_of(const char *laws, double l)
         steps++;
     } while (steps < 20000 && x[1] - x[0] < D + gap);
     found.restitution = (world_at(s, 1).v[0] - world_at(s, 0).v[0])/0.2;
-    free(text);
     dem_free(s);
     return found;
 }
@@ -92,13 +79,12 @@ static void test_impacts(void)
 /* rise of the temperature [K] in such an impact, by dissipation in the contact */
 static double heated(double l)
 {
-    char *const text = world_text(
+    struct dem *const s = world(world_text(
         "materials { glass { density %g; youngsModulus 1e7; heatCapacity 1e-3; } }"
         "effects { hertz { } dry { restitution 0.5; } frictionHeat { } } parcels { ratio %g; }"
         "time { step %.17g; force yes; } insert { two { type list; diameter %g; temperature 300; "
         "positions ((0 0 0) (%.17g 0 0)); velocities ((0.1 0 0) (-0.1 0 0)); } }",
-        rho, l, 2e-7*l, d, l*d*(1.0 + 2.037e-4));
-    struct dem *const s = world(text, 0, NULL);
+        rho, l, 2e-7*l, d, l*d*(1.0 + 2.037e-4)), 0, NULL);
 
     for (int k = 0; k < 2000; k++)
     {
@@ -106,7 +92,6 @@ static double heated(double l)
     }
     const double rise = dem_scalar(s, dem_scalar_index(s, "temperature"))[0] - 300.0;
 
-    free(text);
     dem_free(s);
     return rise;
 }
@@ -115,14 +100,13 @@ static double heated(double l)
    twists there, under g/l: lengths and times are l times as large, so accelerations are 1/l */
 static double spin_of(const char *law, double start, double l)
 {
-    char *const text = world_text(
+    struct dem *const s = world(world_text(
         "materials { glass { density %g; youngsModulus 1e7; } }"
         "effects { hertz { } dry { restitution 0.5; } %s gravity { acceleration (0 0 %.17g); } }"
         "parcels { ratio %g; } walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "time { step %.17g; force yes; } insert { one { type list; diameter %g; "
         "positions ((0 0 %.17g)); velocity (0.05 0 -0.05); spin (0 %.17g %.17g); } }",
-        rho, law, -9.81/l, l, 1e-6*l, d, 0.500003*l*d, start/(l*d), start/(l*d));
-    struct dem *const s = world(text, 0, NULL);
+        rho, law, -9.81/l, l, 1e-6*l, d, 0.500003*l*d, start/(l*d), start/(l*d)), 0, NULL);
 
     for (int k = 0; k < 200; k++)
     {
@@ -130,7 +114,6 @@ static double spin_of(const char *law, double start, double l)
     }
     const double rest = (world_at(s, 0).w[1] + world_at(s, 0).w[2])*l*d/0.2;
 
-    free(text);
     dem_free(s);
     return rest;
 }
@@ -161,8 +144,7 @@ static void test_rolling(void)
 
         TAP_OK(fabs(grain - start/0.1) > 1e-4, "%s: the spin of a grain changes to %g", laws[k],
                grain);
-        TAP_NEAR(spin_of(laws[k], start, 3.0), grain, 1e-9,
-                 "as a parcel of l = 3 does");                           /* as above */
+        TAP_NEAR(spin_of(laws[k], start, 3.0), grain, 1e-9, "as a parcel of l = 3 does");    /* as above */
     }
 }
 
@@ -182,13 +164,12 @@ static struct fallen fall(const char *law, double l)
     {
         snprintf(parcels, sizeof parcels, "parcels { ratio %g; }", l);
     }
-    char *const text = world_text(
+    struct dem *const s = world(world_text(
         "materials { glass { density %g; youngsModulus 1e7; heatCapacity 10; } }"
         "effects { %s pressureGradient { } gravity { acceleration (0 0 -9.81); } }"
         "%s time { step 1e-4; } insert { one { type list; diameter %g; positions ((0 0 0)); "
         "velocity (0.1 0 0); } }",
-        rho, law, parcels, d);
-    struct dem *const s = world(text, 0, NULL);
+        rho, law, parcels, d), 0, NULL);
     struct fallen found = {.temperature = NAN};
     struct dem_fluid f;
     const int T = dem_scalar_index(s, "temperature");
@@ -226,7 +207,6 @@ static struct fallen fall(const char *law, double l)
     {
         found.temperature = dem_scalar(s, T)[0];
     }
-    free(text);
     dem_free(s);
     return found;
 }
@@ -285,22 +265,20 @@ static double resistance(int n, double l)
         used += snprintf(at + used, sizeof at - (size_t)used, "(%.17g 0 0) ",
                          0.5*D - overlap + k*(D - overlap));
     }
-    char *const text = world_text(
+    struct dem *const s = world(world_text(
         "materials { glass { density 100; youngsModulus 1e7; conductivity 10; heatCapacity 1; } }"
         "effects { hertz { } conduction { } } parcels { ratio %g; }"
         "walls { hot { type plane; point (0 0 0); normal (1 0 0); temperature { value 400; } }"
         "cold { type plane; point (%.17g 0 0); normal (-1 0 0); temperature { value 300; } } }"
         "time { step %.17g; maxStartOverlap 0.1; force yes; }"
         "insert { row { type list; diameter %g; frozen yes; positions (%s); temperature 350; } }",
-        l, length, dt, d, at);
-    struct dem *const s = world(text, 0, NULL);
+        l, length, dt, d, at), 0, NULL);
 
     world_run(s, 8000*dt);
     /* the heat of the wall's contact, in the steady state */
     const double T = dem_scalar(s, dem_scalar_index(s, "temperature"))[0],
                  heat = 2.0*10.0*sqrt(0.5*D*overlap)*(400.0 - T);
 
-    free(text);
     dem_free(s);
     return 100.0*D*D/heat;
 }
@@ -323,8 +301,8 @@ static const char physics[] = "materials { glass { density 2500; youngsModulus 1
 static void claim_sizes(const char *what, const char *rest, double smallest, double largest,
                         double mass)
 {
-    char *const text = world_text("%s effects { hertz { } } time { step 1e-6; } %s", physics, rest);
-    struct dem *const s = world(text, 0, NULL);
+    struct dem *const s = world(world_text(
+        "%s effects { hertz { } } time { step 1e-6; } %s", physics, rest), 0, NULL);
     struct dem_view v;
     double min = INFINITY, max = 0.0, sum = 0.0;
 
@@ -345,7 +323,6 @@ static void claim_sizes(const char *what, const char *rest, double smallest, dou
         /* at most half of the last particle */
         TAP_NEAR(sum, mass, 0.5*world_sphere_mass(0.5*largest, rho), "of the mass that was given");
     }
-    free(text);
     dem_free(s);
 }
 
@@ -376,12 +353,7 @@ static void test_sizes(void)
 
 static void refused(const char *scene, const char *words)
 {
-    char *const text = world_text("%s %s", physics, scene);
-    struct dem_case *const c = world_begin(text);
-
-    TAP_OK(world_status(c) == DEM_ERROR_INPUT && strstr(dem_error_text(), words), "refused: %s",
-           dem_error_text());
-    free(text);
+    world_refused(world_text("%s %s", physics, scene), words);
 }
 
 static void test_refusals(void)
@@ -432,12 +404,10 @@ static void test_refusals(void)
     refused(text, "beetstra needs the mean diameter of the grains");
     snprintf(text, sizeof text, "effects { hooke { } dry { restitution 0.9; } gidaspow { } } %s%s",
              "fluid { density 1; viscosity 1e-5; } ", mixed);
-    char *const fine = world_text("%s %s", physics, text);
-    struct dem *const s = world(fine, 0, NULL);
+    struct dem *const s = world(world_text("%s %s", physics, text), 0, NULL);
 
     world_step(s);
     TAP_OK(dem_scalar_index(s, "parcelRatio") >= 0, "laws that need no ratio have mixed ones");
-    free(fine);
     dem_free(s);
 }
 
@@ -466,13 +436,9 @@ static void test_snapshots(void)
     TAP_OK(world_hash(half) == world_hash(whole), "a restart has the same bits");
     dem_free(half);
     dem_free(whole);
-    free(text);
 
-    text = world_text("%s effects { hertz { } } start { snapshot \"test_parcels.dem\"; }", physics);
-    TAP_OK(world_status(world_begin(text)) == DEM_ERROR_INPUT
-               && strstr(dem_error_text(), "particles are parcels"),
-           "refused: %s", dem_error_text());
-    free(text);
+    world_refused(world_text("%s effects { hertz { } } start { snapshot \"test_parcels.dem\"; }",
+                             physics), "particles are parcels");
 
     text = world_text("%s effects { hertz { } } insert { a { type list; diameter 1e-3; positions "
                       "((0 0 0)); } }", physics);
@@ -481,13 +447,8 @@ static void test_snapshots(void)
            "a scene without parcels has no column for them");
     WORLD_TRY(dem_save(half, "test_parcels.dem"));
     dem_free(half);
-    free(text);
-    text = world_text("%s effects { hertz { } } parcels { ratio 2; } start { snapshot "
-                      "\"test_parcels.dem\"; }", physics);
-    TAP_OK(world_status(world_begin(text)) == DEM_ERROR_INPUT
-               && strstr(dem_error_text(), "has no parcelRatio"),
-           "refused: %s", dem_error_text());
-    free(text);
+    world_refused(world_text("%s effects { hertz { } } parcels { ratio 2; } start { snapshot "
+                             "\"test_parcels.dem\"; }", physics), "has no parcelRatio");
     (void)remove("test_parcels.dem");
 }
 

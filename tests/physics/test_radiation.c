@@ -1,10 +1,6 @@
 /*
- * test_radiation.c -- thermal radiation between near spheres and walls.
- *
- * - The view factor is the fraction of rays from a sphere that hit another, or the near part of a
- *   plane: exactly for planes, within 6 % for spheres that touch, within 1 % farther apart.
- * - Grey spheres exchange heat as through resistances in series; a pair conserves its energy.
- * - There is no radiation beyond the reach.
+ * test_radiation.c -- radiation between near spheres and walls has the view factors of rays and
+ * the exchange of grey bodies.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -30,16 +26,13 @@ static double gain(double R, double L, double l, double e, const char *settings)
     char *const other = L > 0.0 ? world_text("b { type list; frozen yes; diameter %.17g; positions "
                                              "((%.17g 0 0)); temperature %g; }", 2.0*L, l, b_T)
                                 : world_text(" ");
-    char *const text = world_text(
+    struct dem *const d = world(world_text(
         "materials { steel { density 7800; youngsModulus 1e7; heatCapacity 464; emissivity %g; } }"
         "effects { hertz { } radiation { %s } } time { step %g; force yes; } %s "
         "insert { a { type list; frozen yes; diameter %.17g; positions ((0 0 0)); temperature %g; } %s }",
-        e, settings, dt, wall, 2.0*R, a_T, other);
-    struct dem *const d = world(text, 0, NULL);
+        e, settings, dt, wall, 2.0*R, a_T, other),
+        0, NULL);
 
-    free(text);
-    free(other);
-    free(wall);
     world_step(d);
     const double gained = C*(temperature(d, 0) - a_T)/dt;
 

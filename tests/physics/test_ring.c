@@ -39,19 +39,14 @@ static struct dem *block(int high, const char *more)
 
     for (int k = 0; k < LAYER*high; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.999e-3*(k%LONG),
-                                                         0.999e-3*(k/LONG%WIDE),
-                                                         0.4995e-3 + 0.999e-3*(k/LAYER)},
-                                            .velocity = {0.05*sin(1.3*k), 0.05*sin(2.1*k),
-                                                         0.05*sin(0.7*k)},
-                                            .diameter = 1e-3,
-                                            .id = k*7919%(LAYER*high),
-                                            .material = "glass"};
+        seed[k] = (struct dem_new_particle){
+            .position = {0.999e-3*(k%LONG), 0.999e-3*(k/LONG%WIDE), 0.4995e-3 + 0.999e-3*(k/LAYER)},
+            .velocity = {0.05*sin(1.3*k), 0.05*sin(2.1*k), 0.05*sin(0.7*k)}, .diameter = 1e-3,
+            .id = k*7919%(LAYER*high), .material = "glass"};
     }
     struct dem *const d = world(scene, LAYER*high, seed);
 
     free(seed);
-    free(scene);
     return d;
 }
 

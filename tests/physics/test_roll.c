@@ -1,12 +1,6 @@
 /*
- * test_roll.c -- from slip to rolling (DEM04 of the MFiX-DEM suite).
- *
- * - A sphere that starts to slide over a floor slips for t = 2 u/(7 mu g), then rolls with 5/7 of
- *   its speed and w = v/R, whatever mu, with the spin of a wheel (+y for +x with z up); on a plane
- *   and on a floor of random triangles.
- * - A sphere rolls down a slope with 5/7 g sin(a), and slides there when tan(a) > 7/2 mu.
- *
- * Settings of single pairs (`pairs`) give each sphere its own friction.
+ * test_roll.c -- a sliding sphere begins to roll when and as fast as a rigid one does, on a plane,
+ * on triangles and down a slope (DEM04 of the MFiX-DEM suite).
  *
  * Sources: Garg, Galvin, Li, Pannala, Powder Technol. 220 (2012) 122; slip_to_roll.csv, exact for a
  * rigid sphere.
@@ -57,29 +51,24 @@ static struct dem *start(const double *table, const char *wall, const char *tang
     list_materials(table, materials, pairs, sizeof pairs);
     for (int k = 0; k < CASES; k++)
     {
-        seed[k] = (struct dem_new_particle){.position = {0.0, 4.0*R*k, R - rest_overlap(g)},
-                                            .velocity = {u0, 0.0, 0.0},
-                                            .diameter = 2.0*R,
-                                            .id = k,
-                                            .material = names[k]};
+        seed[k] = (struct dem_new_particle){
+            .position = {0.0, 4.0*R*k, R - rest_overlap(g)}, .velocity = {u0, 0.0, 0.0},
+            .diameter = 2.0*R, .id = k, .material = names[k]};
     }
-    char *const scene = world_text(
+    struct dem_case *const c = world_begin(world_text(
         "materials { %s rigid { density 1; youngsModulus 1e30; } } "
         "effects { hertz { impactSpeed 0.1; }"
         "dry { restitution 0.9; } mindlin { friction 0.1; "
         "%s } gravity { acceleration (0 0 -%.17g); } }"
         "pairs { %s } %s",
-        materials, tangential, g, pairs, wall);
-    struct dem_case *const c = world_begin(scene);
+        materials, tangential, g, pairs, wall));
 
     if (!wall[0])
     {
         mesh_add_floor(c, "floor", "rigid", -4.0*R, 40.0*R, 3.0*R);
     }
     WORLD_TRY(dem_case_add_particles(c, CASES, seed));
-    struct dem *const d = world_start(c);
-    free(scene);
-    return d;
+    return world_start(c);
 }
 
 /* Times at which slip ends: where the straight line through its last step crosses zero. */
@@ -136,17 +125,15 @@ static void slip_to_roll(const double *table, const char *wall, const char *what
 static void slope(double friction, double acceleration, const char *what)
 {
     const double angle = 20.0*world_pi/180.0, time = 0.05;
-    const struct dem_new_particle seed = {.position = {0.0, 0.0, R - rest_overlap(g*cos(angle))},
-                                          .diameter = 2.0*R,
-                                          .material = "b"};
-    char *const scene = world_text(
+    const struct dem_new_particle seed = {
+        .position = {0.0, 0.0, R - rest_overlap(g*cos(angle))}, .diameter = 2.0*R, .material = "b"};
+    struct dem *const d = world(world_text(
         "materials { b { density %g; youngsModulus %g; poissonsRatio 0.3; }"
         "rigid { density 1; youngsModulus 1e30; } } effects { hertz { impactSpeed 0.1; }"
         "dry { restitution 0.9; } mindlin { friction %g; }"
         "gravity { acceleration (%.17g 0 %.17g); } } walls { floor { type plane; material rigid;"
         "point (0 0 0); normal (0 0 1); } }",
-        density, E, friction, g*sin(angle), -g*cos(angle));
-    struct dem *const d = world(scene, 1, &seed);
+        density, E, friction, g*sin(angle), -g*cos(angle)), 1, &seed);
 
     world_run(d, time);
     const struct world_particle p = world_at(d, 0);
@@ -154,7 +141,6 @@ static void slope(double friction, double acceleration, const char *what)
     /* the spring elongates before it holds: some 10 us of 50 ms */
     TAP_NEAR(p.v[0], acceleration*time, 2e-3*acceleration*time, "%s on a slope: %.5f m/s",
              what, p.v[0]);
-    free(scene);
     dem_free(d);
 }
 

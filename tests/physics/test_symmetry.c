@@ -1,14 +1,7 @@
 /*
- * test_symmetry.c -- invariance of every contact law: rotation, reflection, swapped ids, Galilean
- * transformation.
- *
- * - Impacts of unequal spinning spheres, and of spheres with a wall, have the same result in
- *   randomly rotated axes, in a mirror, with swapped ids and in a moving frame (1e-10).
- * - Momentum and angular momentum of each pair are kept (1e-12); no impact gains energy.
- *
- * The laws come from the list of effects: a new law needs settings here, under which it must have
- * an effect. Normal laws, damping and friction are tested in all combinations, the others with
- * hertz, dry and mindlin.
+ * test_symmetry.c -- every contact law, and every combination of normal law, damping and friction,
+ * is invariant under rotation, reflection, swapped ids and Galilean transformation, and keeps
+ * momentum and angular momentum. A new law needs settings here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -135,9 +128,8 @@ static void place(struct dem_new_particle seed[N], int wall)
         const double sign = i % 2 ? 1.0 : -1.0,
                      apart = 0.5*(radius[0] + radius[1]) + 1e-6*(5.0 + drawn(p, 12));
 
-        seed[i] = (struct dem_new_particle){.diameter = 2.0*radius[i%2],
-                                            .id = i,
-                                            .material = i%2 ? "clay" : "glass"};
+        seed[i] = (struct dem_new_particle){
+            .diameter = 2.0*radius[i%2], .id = i, .material = i%2 ? "clay" : "glass"};
         for (int k = 0; k < 3; k++)
         {
             const double along = drawn(p, k)/size;
@@ -189,15 +181,13 @@ static struct dem *start(const char *laws, int wall, const struct frame *f,
             s->velocity[k] += f->speed[k];
         }
     }
-    char *const scene =
-        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.2; }"
-                   " clay { density 1500; youngsModulus 6e6; poissonsRatio 0.35; } }"
-                   "effects { %s } %s time { step %.17g; maxOverlap 0.3; }",
-                   laws, floor, time_step);
-    struct dem *const d = world(scene, N, given);
+    struct dem *const d = world(world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.2; }"
+        " clay { density 1500; youngsModulus 6e6; poissonsRatio 0.35; } }"
+        "effects { %s } %s time { step %.17g; maxOverlap 0.3; }",
+        laws, floor, time_step), N, given);
     const int wet = dem_scalar_index(d, "liquidVolume");
 
-    free(scene);
     for (int i = 0; wet >= 0 && i < N; i++)
     {
         dem_scalar(d, wet)[i] = 1e-11;      /* m3, 2 % of a sphere of 1 mm */

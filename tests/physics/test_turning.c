@@ -47,26 +47,16 @@ static struct dem *pair(double *arm)
     const double E = 1e7/(2.0*0.91), w = 0.05, Rs = 0.5*R,
                  a = pow(world_pi*w*Rs*Rs/(8.0*E), 1.0/3.0), x = pow(6.0, 1.0/3.0);
     const double overlap = a*a/Rs*(x*x*x*x - 4.0*x);
-    const struct dem_new_particle seed[2] = {{.position = {0, 0, 0},
-                                              .spin = {u, 0, W},
-                                              .diameter = 2.0*R,
-                                              .id = 0,
-                                              .material = "clay"},
-                                             {.position = {0, 0, 2.0*R - overlap},
-                                              .spin = {u, 0, W},
-                                              .diameter = 2.0*R,
-                                              .id = 1,
-                                              .material = "clay"}};
+    const struct dem_new_particle seed[2] = {
+        {.position = {0, 0, 0}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 0, .material = "clay"},
+        {.position = {0, 0, 2.0*R - overlap}, .spin = {u, 0, W}, .diameter = 2.0*R, .id = 1,
+         .material = "clay"}};
     *arm = 2.0*R - overlap;
-    char *const scene = world_text(
+    return world(world_text(
         "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
         "effects { hertz { } jkr { workOfAdhesion %g; } linear { stiffness %g; friction 10; } }"
         "time { step %g; }",
-        w, k, step);
-    struct dem *const d = world(scene, 2, seed);
-
-    free(scene);
-    return d;
+        w, k, step), 2, seed);
 }
 
 /* A sphere rests under its weight on a plate that rotates at `omega` about the vertical below
@@ -74,23 +64,17 @@ static struct dem *pair(double *arm)
 static struct dem *plate(double spin, double omega)
 {
     const double m = world_sphere_mass(R, 2500.0), stiffness = 100.0;
-    const struct dem_new_particle seed = {.position = {0, 0, R - m*9.81/stiffness},
-                                          .spin = {u, 0, spin},
-                                          .diameter = 2.0*R,
-                                          .id = 1,
-                                          .material = "clay"};
-    char *const scene = world_text(
+    const struct dem_new_particle seed = {
+        .position = {0, 0, R - m*9.81/stiffness}, .spin = {u, 0, spin}, .diameter = 2.0*R, .id = 1,
+        .material = "clay"};
+    return world(world_text(
         "materials { clay { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } }"
         "effects { gravity { acceleration (0 0 -9.81); } hooke { stiffness %g; } "
         "linear { stiffness %g; friction 10; } }"
         "walls { table { type triangles; corners ((-0.01 -0.01 0) (0.02 -0.01 0) (-0.01 0.02 0));"
         "motion { type rotation; origin (0 0 0); axis (0 0 1); omega %g; } } }"
         "time { step %g; }",
-        stiffness, k, omega, step);
-    struct dem *const d = world(scene, 1, &seed);
-
-    free(scene);
-    return d;
+        stiffness, k, omega, step), 1, &seed);
 }
 
 int main(void)

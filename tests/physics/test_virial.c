@@ -21,7 +21,7 @@
 enum
 {
     LONG = 50, WIDE = 12, HIGH = 5, COUNT = LONG*WIDE*HIGH,
-    STEPS = 2000, EVERY = 100    /* steps of a run, between two comparisons */
+    STEPS = 1000, EVERY = 100    /* steps of a run, between two comparisons */
 };
 
 static const double diameter = 1e-3;
@@ -40,10 +40,8 @@ static struct dem_case *block(void)
     {
         seed[k] = (struct dem_new_particle){
             .position = {apart*(k%LONG), apart*(k/LONG%WIDE), apart*(k/(LONG*WIDE))},
-            .velocity = {0.02*(k%LONG - LONG/2), 0.0, 0.0},
-            .diameter = diameter,
-            .id = k*7919%COUNT,
-            .material = "glass"};
+            .velocity = {0.02*(k%LONG - LONG/2), 0.0, 0.0}, .diameter = diameter,
+            .id = k*7919%COUNT, .material = "glass"};
     }
     WORLD_TRY(dem_case_add_particles(c, COUNT, seed));
     free(seed);

@@ -1,18 +1,7 @@
 /*
  * test_wall_passage.c -- a wall with two sides that passes through a particle ends the run, as a
- * plane does.
- *
- * An impact at v on a wall overlaps by (5/4 m v^2/(4/3 E* sqrt R))^(2/5): at 50 m/s by 0.9, at 10
- * by a quarter of a diameter here.
- *
- * - At 10 m/s the sphere is thrown off by a plane and by triangles alike; at 50 m/s both end the
- *   run: triangles that move, triangles at rest, a paddle that turns, triangles that a program
- *   moves, wires thinner than the sphere.
- * - A sphere between two sheets that close ends the run.
- * - With time/maxOverlap above 0.5 the passage is listed and the run continues.
- * - A sphere and a sheet that together move by more than its radius in a step are refused.
- * - A sphere that rolls off the rim of a sheet, its centre beyond the sheet's plane, does not
- *   count.
+ * plane does. An impact at v overlaps by (5/4 m v^2/(4/3 E* sqrt R))^(2/5): at 50 m/s by 0.9 of a
+ * diameter, at 10 by a quarter.
  *
  * Source: Johnson, Contact Mechanics (1985), section 11.4.
  *
@@ -35,10 +24,7 @@ static struct dem *begin(const char *walls, const char *time, const double x[3],
                                    "walls { %s } time { step 5e-6; %s }", walls, time);
 
     memcpy(seed.position, x, sizeof seed.position);
-    struct dem *const d = world(scene, 1, &seed);
-
-    free(scene);
-    return d;
+    return world(scene, 1, &seed);
 }
 
 static const double above[3] = {1e-4, 2e-4, 1.02*5e-4};

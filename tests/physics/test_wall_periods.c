@@ -58,8 +58,6 @@ static void shaken(double times, const char *what)
     TAP_NEAR((energy_term(d, "residual") - residual)/(200.0*period*power), 0.0, 0.01,
              "%s: the energy balance closes", what);
     dem_free(d);
-    free(scene);
-    free(wall);
 }
 
 /* The limit of the step with this wall has the name of the wall (1), or not. */
@@ -72,7 +70,6 @@ static void bounds(const char *wall, int named, const char *what)
 
     TAP_OK((strstr(dem_step_limit(d).why, "wall w") != NULL) == named, "%s", what);
     dem_free(d);
-    free(scene);
 }
 
 static void refused(void)
@@ -86,7 +83,6 @@ static void refused(void)
 
     TAP_OK(dem_case_add_particles(c, 1, &seed) || world_status(c), "a longer step is refused");
     TAP_OK(strstr(dem_error_text(), "1/60 of the period of wall w") != NULL, "by that limit");
-    free(scene);
 }
 
 /* The wall is in the list of warnings (1), or not. */
@@ -95,16 +91,15 @@ static void warned(const char *wall, int told, const char *what)
     const struct dem_run_info run = {.duration = 1.0};
     const struct dem_new_particle seed = {
         .diameter = 2.0*R, .material = "a", .position = {0.0, 0.0, 2.0*R}};
-    char *const scene = world_text("materials { a { density 2500; youngsModulus 1e7; } } effects "
-                                   "{ hertz {} gravity { acceleration (0 0 -9.81); } } "
-                                   "walls { w { %s } }", wall);
-    struct dem *const d = world(scene, 1, &seed);
+    struct dem *const d = world(world_text(
+        "materials { a { density 2500; youngsModulus 1e7; } } effects "
+        "{ hertz {} gravity { acceleration (0 0 -9.81); } } "
+        "walls { w { %s } }", wall), 1, &seed);
     const char *text;
 
     WORLD_TRY(dem_warnings(d, &run, 0, NULL, &text));
     TAP_OK((strstr(text, "walls/w: ") != NULL && strstr(text, "impactSpeed")) == told, "%s", what);
     dem_free(d);
-    free(scene);
 }
 
 #define PLANE "type plane; point (0 0 0); normal (0 0 1); motion { type "
@@ -116,18 +111,16 @@ static void warned(const char *wall, int told, const char *what)
 static void driven(const char *walls, int told)
 {
     const struct dem_run_info run = {.duration = 1.0};
-    char *const scene = world_text(
+    struct dem *const d = world(world_text(
         "materials { a { density 2500; youngsModulus 1e7; } } effects { hertz {} } walls { %s } "
         "insert { g { type list; diameter 1e-3; positions ((0 0 1)); velocity (0 0 -1); "
-        "driven yes; } }", walls);
-    struct dem *const d = world(scene, 0, NULL);
+        "driven yes; } }", walls), 0, NULL);
     const char *text;
 
     WORLD_TRY(dem_warnings(d, &run, 0, NULL, &text));
     TAP_OK((strstr(text, "driven particles pass through walls") != NULL) == told,
            "a driven sphere %s a wall", told ? "and" : "without");
     dem_free(d);
-    free(scene);
 }
 
 int main(void)

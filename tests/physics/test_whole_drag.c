@@ -1,12 +1,6 @@
 /*
- * test_whole_drag.c -- whole drag (set III of the averaged equations): the law's drag over the void
- * fraction.
- *
- * - On a frozen particle exactly.
- * - A heavy particle in a fluid of given velocity and hydrostatic pressure comes to rest at the
- *   speed where f_d/e = (rho_p - rho) V g.
- * - The law's own drag and the pressure gradient of a uniform flow together (sets I and II) are the
- *   same force.
+ * test_whole_drag.c -- whole drag (set III of the averaged equations) is the law's drag over the
+ * void fraction, and the same force as drag and pressure gradient together.
  *
  * Source: Zhou, Kuang, Chu, Yu, J. Fluid Mech. 661 (2010) 482. In a uniform steady flow e grad p =
  * -n f_d, so with n V = 1 - e the force is f_d + V n f_d/e = f_d/e.
@@ -42,17 +36,15 @@ static void give_fluid(struct dem *w, double velocity, double gradient)
 
 static struct dem *sphere(const char *more)
 {
-    char *const scene = world_text(
+    struct dem_case *const c = world_begin(world_text(
         "materials { glass { density %g; youngsModulus 1e6; } }"
         "effects { gravity { acceleration (0 0 %g); } hertz {} stokesDrag {} pressureGradient {} }"
         "insert { one { type list; diameter %g; positions ((0 0 0)); %s } } time { step 1e-6; }",
-        rho_p, -g, d, more);
-    struct dem_case *const c = world_begin(scene);
+        rho_p, -g, d, more));
     struct dem_fluid f;
 
     struct dem *const w = world_start(c);
     WORLD_TRY(dem_fluid(w, &f));
-    free(scene);
     return w;
 }
 

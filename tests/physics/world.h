@@ -4,6 +4,8 @@
  *
  *   struct dem *d = world(scene, n, seeds);   a run, without MPI; or in two steps:
  *   struct dem_case *c = world_begin(scene); dem_case_...(c, ...); struct dem *d = world_start(c);
+ *   world(world_text("... %g ...", x), n, seeds)   a scene from a format; nobody frees texts
+ *   world_refused(scene, words);                a claim that it is refused by a sentence with these
  *   world_run(d, 0.1); or world_step(d)       for one step of the scene's time/step
  *   world_at(d, id).x[2]                      position, velocity, spin, contact force and torque
  *
@@ -40,20 +42,39 @@ __attribute__((noreturn)) static inline void world_end(const char *call)
 
 #define WORLD_TRY(call) ((call) ? world_end(#call) : (void)0)
 
-/* text from a format; the caller frees it */
+/* room for a text, which lives until the program ends: nobody frees it */
+static inline char *world_room(size_t bytes)
+{
+    static struct room
+    {
+        struct room *next;
+        char text[];
+    } *rooms;
+    struct room *const r = malloc(sizeof *r + bytes);
+
+    if (!r)
+    {
+        printf("Bail out! no memory for a text\n");
+        exit(1);
+    }
+    r->next = rooms;
+    rooms = r;
+    return r->text;
+}
+
+/* text from a format, for as long as the program runs */
 __attribute__((format(printf, 1, 2)))
 static inline char *world_text(const char *format, ...)
 {
-    const size_t capacity = 1 << 20;
-    char *const text = malloc(capacity);
-    va_list arguments;
+    va_list arguments, again;
 
     va_start(arguments, format);
-    if (!text || vsnprintf(text, capacity, format, arguments) >= (int)capacity)
-    {
-        printf("Bail out! scene too long\n");
-        exit(1);
-    }
+    va_copy(again, arguments);
+    const size_t bytes = (size_t)vsnprintf(NULL, 0, format, again) + 1;
+    char *const text = world_room(bytes);
+
+    vsnprintf(text, bytes, format, arguments);
+    va_end(again);
     va_end(arguments);
     return text;
 }
@@ -73,6 +94,21 @@ static inline struct dem *world_start(struct dem_case *c)
 
     WORLD_TRY(dem_start(&c, &d));
     return d;
+}
+
+/* claims that the scene is refused in a sentence with these words */
+static inline void world_refused(const char *scene, const char *words)
+{
+    struct dem_case *c;
+    struct dem *d = NULL;
+
+    WORLD_TRY(dem_case_create(&c, MPI_COMM_NULL));
+    int status = dem_case_scene_text(c, scene, "scene");
+
+    status = status ? status : dem_start(&c, &d);
+    TAP_OK(status == DEM_ERROR_INPUT && strstr(dem_error_text(), words), "refused: %s",
+           status ? dem_error_text() : scene);
+    dem_free(d);
 }
 
 /* the status of a start, for a case that should be refused */
@@ -198,6 +234,21 @@ static inline double world_scalar(struct dem *d, const char *name, int64_t id)
     }
     printf("Bail out! there is no particle %lld\n", (long long)id);
     exit(1);
+}
+
+/* stream or outlet number k of the scene */
+static inline struct dem_flow world_flow(struct dem *d, int k)
+{
+    const struct dem_flow *all;
+    int n;
+
+    WORLD_TRY(dem_flows(d, &n, &all));
+    if (k >= n)
+    {
+        printf("Bail out! there are %d flows\n", n);
+        exit(1);
+    }
+    return all[k];
 }
 
 /* force on the wall of this name */

@@ -1,19 +1,6 @@
 /*
- * test_absurd.c -- a snapshot with correct checksums and impossible contents is refused.
- *
- * - Positions, velocities, spins, forces, history, sums of means or flow counters that are not
- *   finite.
- * - A speed above that of light; a position where doubles resolve no overlap; an inertia that does
- *   not fit the mass.
- * - Invalid or repeated ids; step counts beyond the limit; names with line breaks.
- *
- * The sentence names the file, the quantity, the particle or row, and the value. `dem hash` refuses
- * the same, except for repeated ids and means. With the value restored, each snapshot is accepted.
- *
- *     test_absurd                         the claims, without MPI
- *     test_absurd -spoil FILE OUT FAULT writes OUT, with a fault (speed, force, memory, twin) of
- *     the
- *                                         last particles or row: for tests on many ranks
+ * test_absurd.c -- a snapshot with correct checksums and impossible contents is refused by a
+ * sentence that names file, quantity, particle and value; with the value restored it is accepted.
  *
  * Source: the contract of records/snapshot_validate.h.
  *

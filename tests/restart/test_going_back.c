@@ -98,8 +98,7 @@ static void give_fluid(struct dem *d, double velocity)
 /* A fluid velocity that is not a number. */
 static void failure(void)
 {
-    char *const scene = world_text("%s effects { gidaspow {} }", heap);
-    struct dem *const d = world(scene, 0, NULL);
+    struct dem *const d = world(world_text("%s effects { gidaspow {} }", heap), 0, NULL);
     static char file[] = "/tmp/going_back.XXXXXX";
     const int made = mkstemp(file);
     uint64_t saved = 0;
@@ -131,7 +130,6 @@ static void failure(void)
     give_fluid(d, 0.5);
     TAP_OK(dem_advance(d, 500*step) == 0, "it continues with a valid fluid");
     dem_free(d);
-    free(scene);
 }
 
 int main(void)

@@ -153,8 +153,6 @@ static void failing(struct dem *d)
     WORLD_TRY(dem_save(d, good));
     TAP_OK(dem_snapshot_fingerprint(good, &after) == 0 && after == world_hash(d),
            "it is replaced when writing succeeds again");
-    free(block);
-    free(unblock);
 }
 
 int main(void)
@@ -177,6 +175,5 @@ int main(void)
     char *const command = world_text("rm -r %s", folder);
 
     TAP_OK(system(command) == 0, "the folder is removed");
-    free(command);
     TAP_DONE;
 }

@@ -41,8 +41,7 @@ static struct dem *load(const char *scene)
     struct dem_case *const c = world_begin(scene);
 
     WORLD_TRY(dem_case_load(c, file));
-    struct dem *const d = world_start(c);
-    return d;
+    return world_start(c);
 }
 
 /* The table of means as text, freed by the caller. */
@@ -169,8 +168,6 @@ static struct world_particle fall(double other)
     const struct world_particle p = world_at(d, 0);
 
     dem_free(d);
-    free(first);
-    free(second);
     return p;
 }
 
@@ -266,7 +263,6 @@ int main(void)
         char *const command = world_text("rm -r %s", folder);
 
         TAP_OK(system(command) == 0, "the folder is removed");
-        free(command);
     }
     TAP_DONE;
 }

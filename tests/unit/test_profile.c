@@ -1,66 +1,40 @@
 /*
- * test_profile.c -- the profile of a run.
- *
- * - The phases of one rank add up to the elapsed time by another reading of the clock, whether each
- *   step is timed or one in many.
- * - The processor time of the phases adds up to the process's, and is less than the clock's while
- *   the process sleeps.
- * - Counts agree with a known scene; measuring changes nothing.
- * - The largest overlap of pairs that meet agrees with Hertz.
- *
- * References: the clock read before and after; a bed with a known number of contact rows.
+ * test_profile.c -- the profile of a run: phases add up to the clock and to the processor time of the
+ * process, counts agree with a known scene, measuring changes nothing, and the largest overlap agrees
+ * with Hertz.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "tap.h"
+#include "physics/world.h"
 
 #include "core/clock.h"
-#include "dem.h"
 #include "records/timers.h"
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 /* n separate spheres at rest on a floor: one contact row each. */
 static struct dem *make(int n)
 {
-    static const char scene[] =
+    struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
+
+    for (int k = 0; k < n; k++)
+    {
+        seed[k] = (struct dem_new_particle){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3},
+                                            .diameter = 1e-3, .id = k, .material = "glass"};
+    }
+    struct dem *const d = world(
         "materials { glass { density 2500; youngsModulus 1e6; } }"
         "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
         "mindlin { friction 0.3; } }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
-        "neighbours { outerSkin 0.2; innerSkin 0.1; }";
-    struct dem_new_particle *const seed = calloc((size_t)n, sizeof *seed);
-    struct dem_case *c;
-    struct dem *d = NULL;
-    int status = dem_case_create(&c, MPI_COMM_NULL) || dem_case_scene_text(c, scene, "row");
+        "neighbours { outerSkin 0.2; innerSkin 0.1; }", n, seed);
 
-    for (int k = 0; k < n; k++)
-    {
-        seed[k] =
-            (struct dem_new_particle){.position = {2e-3*(k%100), 2e-3*(k/100), 0.5e-3},
-                                      .diameter = 1e-3,
-                                      .id = k,
-                                      .material = "glass"};
-    }
-    status = status || dem_case_add_particles(c, n, seed) || dem_start(&c, &d);
     free(seed);
-    if (status)
-    {
-        printf("Bail out! %s\n", dem_error_text());
-        exit(1);
-    }
     return d;
 }
 
 static void run(struct dem *d, int steps)
 {
-    if (dem_advance(d, steps*dem_step_limit(d).used))
-    {
-        printf("Bail out! %s\n", dem_error_text());
-        exit(1);
-    }
+    world_run(d, steps*dem_step_limit(d).used);
 }
 
 static void wait_for(double seconds)
@@ -96,8 +70,7 @@ static void times(int n, int steps)
         sum += f.phase[k].mean;
         busy += f.phase[k].processor;
     }
-    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the total",
-             n);          /* rounding */
+    TAP_NEAR(sum, f.wall, 1e-12*f.wall, "%d spheres: phases add up to the total", n);          /* rounding */
     TAP_OK(f.wall >= requested - ready && f.wall <= reported - before,
            "%d spheres: %.4g s: between %.4g and %.4g "
            "s", n, f.wall, requested - ready, reported - before);
@@ -109,8 +82,7 @@ static void times(int n, int steps)
     TAP_OK(f.processor >= busy_requested - busy_ready && f.processor <= busy_reported - busy_before,
            "%d spheres: %.4g s of processor time: between %.4g and %.4g s", n, f.processor,
            busy_requested - busy_ready, busy_reported - busy_before);
-    TAP_OK(f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy",
-           n);
+    TAP_OK(f.imbalance == 1.0 && f.ranks == 1, "%d spheres: one rank, busy", n);
     dem_free(d);
 }
 
@@ -171,8 +143,7 @@ static void sleeping(size_t particles, int steps)
            "%zu particles: who sleeps takes %.3g s, %.3g s of the processor", particles,
            clock[DEM_PHASE_AGREE], processor[DEM_PHASE_AGREE]);
     TAP_OK(clock[DEM_PHASE_OUTSIDE] > 2.0*processor[DEM_PHASE_OUTSIDE] &&
-               clock[DEM_PHASE_OUTSIDE] >= 2.0*each,
-           "%zu particles: so outside", particles);
+           clock[DEM_PHASE_OUTSIDE] >= 2.0*each, "%zu particles: so outside", particles);
     /* nine tenths: what sleeps wakes up now and then */
     TAP_OK(processor[DEM_PHASE_CONTACTS] >= 0.9*2.0*steps*each,
            "%zu particles: who works has %.3g s of the processor", particles,
@@ -201,8 +172,7 @@ static void counts(int n, int steps)
     TAP_OK(f.messages == 0 && f.rebuild_messages == 0 && f.agreements == 0, "alone: no messages");
     TAP_OK(f.bytes > 128.0*n, "a particle has 128 bytes and more, %g", f.bytes/n);
     TAP_OK(dem_profile_text(d, &text) == 0 && strstr(text, "contacts") &&
-               strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"),
-           "as text");
+           strstr(text, "particle-steps/s") && strstr(text, "skins 0.2 and 0.1"), "as text");
     dem_free(d);
 }
 
@@ -225,34 +195,6 @@ static void measuring_changes_nothing(void)
     dem_free(b);
 }
 
-/* Time of a clock reading relative to a step of 5000 particles of 0.06 us each; the minimum of ten
-   runs, as others use the machine. */
-static void cost(void)
-{
-    enum { READINGS = 100000 };
-    struct dem_timers t;
-    double least = INFINITY;
-
-    for (int k = 0; k < 10; k++)
-    {
-        const double start = dem_clock_wall();
-
-        dem_timers_begin(&t, 0, 0, 0);
-        dem_timers_begin_advance(&t, 5000, READINGS);
-        dem_timers_begin_step(&t);
-        for (int r = 0; r < READINGS; r++)
-        {
-            dem_timers_end_phase(&t, DEM_PHASE_DRIFT);
-        }
-        least = fmin(least, (dem_clock_wall() - start)/READINGS);
-    }
-    TAP_NOTE("a reading takes %.3g ns, ten %.2g %% of such a step", 1e9*least,
-             100.0*10.0*least/(5000*0.06e-6));
-    /* the speed depends on the machine: it is reported above, not tested */
-    TAP_OK(t.spent[DEM_PHASE_DRIFT] > 0.0 && isfinite(least),
-           "readings of the clock add up to time spent in a phase");
-}
-
 /* 40 pairs that meet head on at the speed v, at evenly spaced fractions of a step after the second:
    a contact lasts 2.9432 d_max/v (Hertz; Johnson, Contact Mechanics, 11.4), as many steps or one
    more or less. */
@@ -264,9 +206,6 @@ static void largest_overlap(double steps, double v)
     const double contact = 2.9432*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/v, dt = contact/steps;
     struct dem_new_particle seed[2*PAIRS];
     struct dem_profile f;
-    struct dem_case *c;
-    struct dem *d = NULL;
-    char step[32];
 
     memset(seed, 0, sizeof seed);
     for (int k = 0; k < 2*PAIRS; k++)
@@ -274,23 +213,17 @@ static void largest_overlap(double steps, double v)
         const double gap = v*dt*(2.0 + (k/2 + 0.5)/PAIRS), sign = k%2 ? 1.0 : -1.0;
 
         seed[k] =
-            (struct dem_new_particle){.position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0},
-                                      .velocity = {-0.5*sign*v, 0.0, 0.0},
-                                      .diameter = 2.0*R,
-                                      .id = k,
-                                      .material = "ball"};
+            (struct dem_new_particle){
+                .position = {sign*(R + 0.5*gap), 4.0*R*(k/2), 0.0},
+                .velocity = {-0.5*sign*v, 0.0, 0.0}, .diameter = 2.0*R, .id = k,
+                .material = "ball"};
     }
-    snprintf(step, sizeof step, "%.17g", dt);
-    int status =
-        dem_case_create(&c, MPI_COMM_NULL) ||
-        dem_case_scene_text(
-            c, "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} }",
-            "pairs") ||
-        dem_case_set(c, "time/step", step) || dem_case_set(c, "time/force", "yes") ||
-        dem_case_add_particles(c, 2*PAIRS, seed) || dem_start(&c, &d);
+    struct dem *const d = world(world_text(
+        "materials { ball { density 2500; youngsModulus 1e7; } } effects { hertz {} } "
+        "time { step %.17g; force yes; }", dt), 2*PAIRS, seed);
 
-    status = status || dem_advance(d, fmin(250.0, 3.0*steps)*dt) || dem_profile(d, &f);
-    TAP_OK(status == 0, "pairs: %s", dem_error_text());
+    world_run(d, fmin(250.0, 3.0*steps)*dt);
+    WORLD_TRY(dem_profile(d, &f));
     const double peak = 0.5*pow(15.0*m*v*v/(16.0*E*sqrt(0.5*R)), 0.4)/R;
 
     /* sampled at steps: below the peak by at most (pi/2 of half a step in steps)^2/2; 1e-3 is the
@@ -312,6 +245,5 @@ int main(void)
     largest_overlap(20.0, 0.5);
     largest_overlap(90.0, 0.5);
     largest_overlap(200.0, 0.5);
-    cost();
     TAP_DONE;
 }
