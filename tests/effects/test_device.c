@@ -558,6 +558,8 @@ int main(void)
     for (int k = 0; k < LAWS; k++)
     {
         has_row[k] = include_law(laws[k].name);
+        /* eddies are part of the fluid's velocity */
+        TAP_OK(has_row[k] || laws[k].effect->eddies, "%s has a row function", laws[k].effect->name);
     }
     for (int k = 0; k < LAWS; k++)
     {

@@ -78,22 +78,25 @@ static const char *const makings[] = {"once", "always", "listed", NULL};
 static const char *const contacts[] = {"replaced", "parallel", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(dem_bond_linear, normal_stiffness, "normalStiffness", "Pa/m", DEM_SETTING_REQUIRED,
-                   DEM_ABOVE_ZERO, INFINITY,
+    DEM_SETTING_AS(dem_bond_linear, normal_stiffness, "normalStiffness", "Pa/m",
+                   DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
                    "force per area and elongation: Young's modulus over length of a beam"),
-    DEM_SETTING_AS(dem_bond_linear, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED, 0.0,
-                   INFINITY, "force per area and slip: shear modulus over length"),
+    DEM_SETTING_AS(dem_bond_linear, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED,
+                   0.0, INFINITY, "force per area and slip: shear modulus over length"),
     DEM_SETTING(dem_bond_linear, radius, "1", 1.0, DEM_ABOVE_ZERO, 10.0,
                 "lambda: radius of the bond over the radius of the smaller partner"),
     DEM_SETTING_CHOICE(
         dem_bond_linear, make, "make", DEM_BOND_MAKE_ONCE, makings,
         "when bonds are made: once at time, always from time on, or once at time for the pairs "
         "in bonds"),
-    DEM_SETTING(dem_bond_linear, time, "s", 0.0, 0.0, INFINITY, "at which bonds are made (see make)"),
+    DEM_SETTING(dem_bond_linear, time, "s", 0.0, 0.0, INFINITY,
+                "at which bonds are made (see make)"),
     DEM_SETTING_AS(dem_bond_linear, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
                    "bonds are made up to this distance of the centres over R_i + R_j"),
-    DEM_SETTING(dem_bond_linear, probability, "1", 1.0, 0.0, 1.0, "that a pair within makeDistance is bonded"),
-    DEM_SETTING_COUNT(dem_bond_linear, seed, "seed", 1.0, 0.0, 1e15, "of the random numbers of probability"),
+    DEM_SETTING(dem_bond_linear, probability, "1", 1.0, 0.0, 1.0,
+                "that a pair within makeDistance is bonded"),
+    DEM_SETTING_COUNT(dem_bond_linear, seed, "seed", 1.0, 0.0, 1e15,
+                      "of the random numbers of probability"),
     DEM_SETTING_SWITCH(dem_bond_linear, redraw, "redraw", 0,
                        "draw probability again each time a pair comes within makeDistance"),
     DEM_SETTING_SWITCH(dem_bond_linear, walls, "walls", 0, "bonds are also made to walls"),
@@ -112,7 +115,8 @@ static const struct dem_setting settings[] = {
                    "dampingShare of twist; -1, not given: dampingShare"),
     DEM_SETTING_AS(dem_bond_linear, own_share[3], "bendingDampingShare", "1", -1.0, 0.0, 1.0,
                    "dampingShare of bending; -1, not given: dampingShare"),
-    DEM_SETTING(dem_bond_linear, relaxation, "1/s", 0.0, 0.0, INFINITY, "eta: forces decay as exp(-eta t)"),
+    DEM_SETTING(dem_bond_linear, relaxation, "1/s", 0.0, 0.0, INFINITY,
+                "eta: forces decay as exp(-eta t)"),
     DEM_SETTING_AS(dem_bond_linear, normal_strength, "normalStrength", "Pa", 0.0, 0.0, INFINITY,
                    "tensile stress of tension and bending at which bonds break; 0: never"),
     DEM_SETTING_AS(dem_bond_linear, strength_ratio, "strengthRatio", "1", 1.0, DEM_ABOVE_ZERO, 1e3,
@@ -284,7 +288,8 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
     for (int c = 0; c < b->n; c++)
     {
-        const double from = before[DEM_BOND_LENGTH][c], to = history[DEM_BOND_LENGTH][c], d = b->overlap[c];
+        const double from = before[DEM_BOND_LENGTH][c], to = history[DEM_BOND_LENGTH][c],
+                     d = b->overlap[c];
         const int replaced = bond->contact == DEM_BOND_CONTACT_REPLACED;
         const double share =
             replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[DEM_BOND_WORN][c]/d : 0.0;

@@ -40,14 +40,14 @@ enum
     dem_bond_linear_columns = DEM_BOND_HISTORY
 };
 
-/* values of DEM_BOND_LENGTH of a broken bond: the pair has not yet been farther apart than makeDistance;
-   and the surfaces have not separated yet. DEM_BOND_REFUSED: with redraw, the pair was drawn and not bonded,
-   and has not been farther apart since */
+/* values of DEM_BOND_LENGTH of a broken bond: the pair has not yet been farther apart than
+   makeDistance; and the surfaces have not separated yet. DEM_BOND_REFUSED: with redraw, the pair was
+   drawn and not bonded, and has not been farther apart since */
 #define DEM_BOND_PARTED (-1.0)
 #define DEM_BOND_BROKEN (-2.0)
 #define DEM_BOND_REFUSED (-3.0)
 
-/* ---- before the contact laws ------------------------------------------------------------------- */
+/* ---- before the contact laws ----------------------------------------------------------------- */
 
 DEM_MATH void dem_bond_linear_replace_row(const struct dem_bond_linear *bond,
                                           struct dem_contact_row *r, double *values)
@@ -63,7 +63,8 @@ DEM_MATH void dem_bond_linear_replace_row(const struct dem_bond_linear *bond,
     const double less = dem_select(worn < r->overlap, worn, r->overlap), left = r->overlap - less;
 
     /* after a bond has broken, surfaces do not adhere before they have separated */
-    const double now = dem_select((length == DEM_BOND_BROKEN) & (r->overlap == 0.0), parted, length);
+    const double now =
+        dem_select((length == DEM_BOND_BROKEN) & (r->overlap == 0.0), parted, length);
 
     r->bond_replaces = dem_select(now == DEM_BOND_BROKEN, replaces, replaced);
     r->overlap = left;
@@ -72,7 +73,7 @@ DEM_MATH void dem_bond_linear_replace_row(const struct dem_bond_linear *bond,
     values[DEM_BOND_WORN] = less;
 }
 
-/* ---- making ------------------------------------------------------------------------------------ */
+/* ---- making --------------------------------------------------------------------------------- */
 
 /* Whether bonds are made now. In the first evaluation of a run, previous_time is -infinity: `once`,
    they are made if `time` has been reached; afterwards in the step that passes it. */
@@ -118,12 +119,12 @@ DEM_MATH void dem_bond_linear_make_row(const struct dem_bond_linear *bond,
     r->lost += replaces ? r->kn*r->overlap*r->overlap/(1.0 + 1.0/bond->inverse_exponent) : 0.0;
 }
 
-/* ---- forces ------------------------------------------------------------------------------------ */
+/* ---- forces --------------------------------------------------------------------------------- */
 
 /* Damping coefficient of a spring with |F| = force and |v| = rate: viscous, and the fraction of
    the force. mass: effective mass or inertia. */
-DEM_MATH double dem_bond_damper(const struct dem_bond_linear *bond, int motion, double stiffness, double force,
-                         double rate, double mass, double dt)
+DEM_MATH double dem_bond_damper(const struct dem_bond_linear *bond, int motion, double stiffness,
+                                double force, double rate, double mass, double dt)
 {
     const double min_rate =
         dem_select(mass > 0.0, force*dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
@@ -135,8 +136,8 @@ DEM_MATH double dem_bond_damper(const struct dem_bond_linear *bond, int motion, 
 
 /* 0: the bond holds, 1: sigma breaks it, 2: tau breaks it. force: F_n, positive in compression,
    |F_t|, |T_n|, |T_t|. */
-DEM_MATH double dem_bond_breaks(const struct dem_bond_linear *bond, double rb, const double force[4],
-                         double stretched)
+DEM_MATH double dem_bond_breaks(const struct dem_bond_linear *bond, double rb,
+                                const double force[4], double stretched)
 {
     const double A = 3.14159265358979324*rb*rb,
                    inverse_area = dem_select(A > 0.0, 1.0/dem_select(A > 0.0, A, 1.0), 0.0);
@@ -190,10 +191,12 @@ DEM_MATH void dem_bond_linear_hold_row(const struct dem_bond_linear *bond,
     const double ct =
         on*dem_bond_damper(bond, 1, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
     const double cw = on*dem_bond_damper(bond, 2, kw, size[2], fabs(spin), I, dt);
-    const double cb = on*dem_bond_damper(bond, 3, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
+    const double cb =
+        on*dem_bond_damper(bond, 3, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
     const double taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin +
                                  cb*dem_rotate_dot(turn, turn));
-    const double other = dem_select(holds > 0.0, bond->contact == DEM_BOND_CONTACT_REPLACED ? 0.0 : 1.0, 1.0);
+    const double other =
+        dem_select(holds > 0.0, bond->contact == DEM_BOND_CONTACT_REPLACED ? 0.0 : 1.0, 1.0);
 
     r->fn = other*r->fn + on*size[0] - cn*vn;
     r->fx = other*r->fx - left*kt*u.x - ct*slip.x;
@@ -218,14 +221,15 @@ DEM_MATH void dem_bond_linear_hold_row(const struct dem_bond_linear *bond,
     values[DEM_BOND_BEND + 1] = left*bend.y;
     values[DEM_BOND_BEND + 2] = left*bend.z;
     /* of a broken bond DEM_BOND_WORN is, until hand_over, its normal force */
-    values[DEM_BOND_LENGTH] = dem_select(holds > on, DEM_BOND_BROKEN, values[DEM_BOND_LENGTH] + on*(decay - 1.0)*squeezed);
+    values[DEM_BOND_LENGTH] = dem_select(holds > on, DEM_BOND_BROKEN,
+                                         values[DEM_BOND_LENGTH] + on*(decay - 1.0)*squeezed);
     values[DEM_BOND_WORN] = dem_select(holds > on, size[0], values[DEM_BOND_WORN]);
 }
 
-/* ---- breaking ---------------------------------------------------------------------------------- */
+/* ---- breaking ------------------------------------------------------------------------------- */
 
-/* Where a bond broke, the contact takes over the smaller of the compressive bond force (in WORN) and
-   the force of its own overlap; WORN becomes the overlap without force. */
+/* Where a bond broke, the contact takes over the smaller of the compressive bond force (in
+   DEM_BOND_WORN) and the force of its own overlap; DEM_BOND_WORN becomes the overlap without force. */
 DEM_MATH void dem_bond_linear_hand_over_row(const struct dem_bond_linear *bond,
                                             struct dem_contact_row *r, double *values)
 {

@@ -19,7 +19,7 @@ enum
     DEM_BOND_SHEAR,
     DEM_BOND_TWIST = DEM_BOND_SHEAR + 3,
     DEM_BOND_BEND,
-    DEM_BOND_ASKED = DEM_BOND_BEND + 3,                                     /* 1    1: the scene lists this pair */
+    DEM_BOND_ASKED = DEM_BOND_BEND + 3,    /* 1    1: the scene lists this pair */
     DEM_BOND_HISTORY
 };
 
@@ -50,10 +50,12 @@ DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_row *
         .q = q,
         .spin = spin,
         .twist = values[DEM_BOND_TWIST] + dt*spin,
-        .u = dem_rotate_history((struct dem_history_vector){values[DEM_BOND_SHEAR], values[DEM_BOND_SHEAR + 1],
+        .u = dem_rotate_history((struct dem_history_vector){values[DEM_BOND_SHEAR],
+                                                            values[DEM_BOND_SHEAR + 1],
                                                             values[DEM_BOND_SHEAR + 2]},
                                 slid, h, n, q),
-        .bend = dem_rotate_history((struct dem_history_vector){values[DEM_BOND_BEND], values[DEM_BOND_BEND + 1],
+        .bend = dem_rotate_history((struct dem_history_vector){values[DEM_BOND_BEND],
+                                                               values[DEM_BOND_BEND + 1],
                                                                values[DEM_BOND_BEND + 2]},
                                    bent, h, n, q),
         .squeezed = values[DEM_BOND_LENGTH] - r->distance};

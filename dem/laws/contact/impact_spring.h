@@ -1,6 +1,7 @@
 /*
- * impact_spring.h -- stiffness of a linear spring on a row, given or from an impact speed; formulas:
- * impact_speed.h.
+ * impact_spring.h -- stiffness of a linear spring on a row, given or from an impact speed.
+ *
+ * Formulas: impact_speed.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -55,15 +55,16 @@ DEM_MATH struct dem_capillary dem_capillary_at(double gap, double pull, double s
 }
 
 /* Both dampers, on forces and loss; `holds`: 1 for a bridge. */
-DEM_MATH void dem_liquid_bridge_viscous(const struct dem_liquid_bridge *l, struct dem_contact_row *r, double holds,
-                          double square)
+DEM_MATH void dem_liquid_bridge_viscous(const struct dem_liquid_bridge *l,
+                                        struct dem_contact_row *r, double holds, double square)
 {
     const double lowest = dem_select(l->contact == DEM_LIQUID_BRIDGE_RESTS, 0.0, -INFINITY);
     const double R = r->reduced_radius, m = r->reduced_mass, vn = r->vn;
     const double acts = dem_select((l->viscosity > 0.0) & (r->gap > lowest), holds, 0.0);
     const double thin = dem_select(r->gap > l->roughness, r->gap, l->roughness),
                  h = dem_select(acts > 0.0, thin, 1.0),
-                 X = 1.0 - h/sqrt(h*h + square), scale = acts*6.0*3.14159265358979324*l->viscosity*R;
+                 X = 1.0 - h/sqrt(h*h + square);
+    const double scale = acts*6.0*3.14159265358979324*l->viscosity*R;
     const double squeeze = scale*R*X*X/h,
                  drag = scale*dem_liquid_bridge_slip(dem_select(acts > 0.0, R, 1.0), h);
     const double limit = m/(4.0*r->max_dt), slip_limit = 2.0/7.0*limit;
@@ -98,8 +99,8 @@ DEM_MATH void dem_liquid_bridge_force(const struct dem_liquid_bridge *l, struct 
                  holds = dem_select(V > 0.0, still, 0.0);
 
     const struct dem_capillary now = dem_capillary_at(r->gap, pull, square),
-                           was = dem_capillary_at(r->gap - r->dt*r->distance_rate, pull, square),
-                           torn = dem_capillary_at(rupture, pull, square);
+                               was = dem_capillary_at(r->gap - r->dt*r->distance_rate, pull, square),
+                               torn = dem_capillary_at(rupture, pull, square);
     const double held = dem_select(before > 0.0, 1.0, 0.0), half_way = 0.5*r->dt*r->distance_rate;
 
     r->fn -= holds*now.force;

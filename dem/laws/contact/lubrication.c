@@ -83,8 +83,8 @@ static double reach(const void *of, const struct dem_pair_class *pair)
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
     const struct dem_lubrication *film = of;
-    const double R = pair->min_radius, c = dem_lubrication_damping(film->viscosity, R,
-                                                              1.0/film->roughness - 1.0/film->cut_off);
+    const double over_thickness = 1.0/film->roughness - 1.0/film->cut_off,
+                 c = dem_lubrication_damping(film->viscosity, pair->min_radius, over_thickness);
 
     *why = "0.2 of the time in which the thinnest film stops a particle (lubrication)";
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;

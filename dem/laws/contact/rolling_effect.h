@@ -1,6 +1,6 @@
 /*
- * rolling_effect.h -- what the descriptors of rolling resistances share: relevance; energy that those
- * without a spring dissipate.
+ * rolling_effect.h -- what the descriptors of rolling resistances share: relevance; the energy that
+ * those without a spring dissipate.
  *
  *   P dt - M^2 dt^2/(2 I)      P = -M.w                            [J]
  *

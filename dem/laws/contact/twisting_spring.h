@@ -31,7 +31,8 @@ DEM_MATH void dem_twisting_spring_row(const struct dem_twisting_spring *l,
                                       struct dem_contact_row *r, double *twist)
 {
     /* 3 pi/16 */
-    const double by_contact = dem_select(l->lever == DEM_TWISTING_CONTACT, 0.58904862254808623, 0.0);
+    const double by_contact =
+        dem_select(l->lever == DEM_TWISTING_CONTACT, 0.58904862254808623, 0.0);
     const double by_radius = dem_select(l->lever == DEM_TWISTING_REDUCED, 1.0, 0.0);
     const double R = r->reduced_radius, a2 = R*r->overlap;
     const double lever = by_contact*sqrt(a2) + by_radius*R;
