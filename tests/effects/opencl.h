@@ -77,9 +77,13 @@ static const char *opencl_open(void)
     {
         return "no OpenCL device with doubles (Debian: pocl-opencl-icd)";
     }
-    opencl.clGetDeviceInfo(opencl.device, CL_DEVICE_NAME, sizeof opencl.name - 1, opencl.name, NULL);
+    opencl.clGetDeviceInfo(opencl.device, CL_DEVICE_NAME, sizeof opencl.name - 1, opencl.name,
+                           NULL);
     opencl.context = opencl.clCreateContext(NULL, 1, &opencl.device, NULL, NULL, &error);
-    opencl.queue = error ? NULL : opencl.clCreateCommandQueue(opencl.context, opencl.device, 0, &error);
+    if (!error)
+    {
+        opencl.queue = opencl.clCreateCommandQueue(opencl.context, opencl.device, 0, &error);
+    }
     return error ? "the OpenCL device cannot be used" : NULL;
 }
 
@@ -90,7 +94,10 @@ static int opencl_build(const char *text, const char *options)
     cl_int error;
 
     opencl.program = opencl.clCreateProgramWithSource(opencl.context, 1, &text, NULL, &error);
-    error = error ? error : opencl.clBuildProgram(opencl.program, 1, &opencl.device, options, NULL, NULL);
+    if (!error)
+    {
+        error = opencl.clBuildProgram(opencl.program, 1, &opencl.device, options, NULL, NULL);
+    }
     if (error)
     {
         opencl.clGetProgramBuildInfo(opencl.program, opencl.device, CL_PROGRAM_BUILD_LOG,
@@ -107,7 +114,8 @@ static cl_mem opencl_buffer(const void *from, size_t size)
     cl_mem buffer;
 
     memcpy(copy, from, size);
-    buffer = opencl.clCreateBuffer(opencl.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, size, copy, &error);
+    buffer = opencl.clCreateBuffer(opencl.context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR, size,
+                                   copy, &error);
     free(copy);
     return error ? NULL : buffer;
 }

@@ -1,6 +1,8 @@
 /*
- * rows.cl -- kernels that call the row functions of laws, for test_device.c, which writes an include
- * and a line CONTACT_LAW or BODY_LAW for each law below this text.
+ * rows.cl -- kernels that call the row functions of laws.
+ *
+ * test_device.c includes this text and the headers of the laws, and writes a line CONTACT_LAW or
+ * BODY_LAW for each row function.
  *
  * A row is its columns in the order of laws/row.h, then history or voidage factors, then scalars.
  * BATCH rows share settings and times.
