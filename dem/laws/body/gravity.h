@@ -1,5 +1,5 @@
 /*
- * gravity.h -- the law of gravity.c on one row.
+ * gravity.h -- row function of gravity.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * bond_linear.h -- the law of bond_linear.c on one row.
+ * bond_linear.h -- row function of bond_linear.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * liquid_bridge.h -- the law of liquid_bridge.c on one row.
+ * liquid_bridge.h -- row function of liquid_bridge.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * lubrication.h -- the law of lubrication.c on one row.
+ * lubrication.h -- row function of lubrication.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * rolling_viscous.h -- the law of rolling_viscous.c on one row.
+ * rolling_viscous.h -- row function of rolling_viscous.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * sjkr.h -- the law of sjkr.c on one row.
+ * sjkr.h -- row function of sjkr.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * twisting_spring.h -- the law of twisting_spring.c on one row.
+ * twisting_spring.h -- row function of twisting_spring.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * beetstra.h -- the law of beetstra.c on one row.
+ * beetstra.h -- row function of beetstra.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

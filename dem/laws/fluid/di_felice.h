@@ -1,5 +1,5 @@
 /*
- * di_felice.h -- the law of di_felice.c on one row.
+ * di_felice.h -- row function of di_felice.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * ergun.h -- the law of ergun.c on one row.
+ * ergun.h -- row function of ergun.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

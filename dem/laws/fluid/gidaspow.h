@@ -1,5 +1,5 @@
 /*
- * gidaspow.h -- the law of gidaspow.c on one row.
+ * gidaspow.h -- row function of gidaspow.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

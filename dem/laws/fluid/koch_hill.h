@@ -1,5 +1,5 @@
 /*
- * koch_hill.h -- the law of koch_hill.c on one row.
+ * koch_hill.h -- row function of koch_hill.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

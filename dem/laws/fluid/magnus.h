@@ -1,5 +1,5 @@
 /*
- * magnus.h -- the law of magnus.c on one row.
+ * magnus.h -- row function of magnus.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

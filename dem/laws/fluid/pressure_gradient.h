@@ -1,5 +1,5 @@
 /*
- * pressure_gradient.h -- the law of pressure_gradient.c on one row.
+ * pressure_gradient.h -- row function of pressure_gradient.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * rong.h -- the law of rong.c on one row.
+ * rong.h -- row function of rong.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * saffman_mei.h -- the law of saffman_mei.c on one row.
+ * saffman_mei.h -- row function of saffman_mei.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

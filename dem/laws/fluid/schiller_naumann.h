@@ -1,5 +1,5 @@
 /*
- * schiller_naumann.h -- the law of schiller_naumann.c on one row.
+ * schiller_naumann.h -- row function of schiller_naumann.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * stokes_drag.h -- the law of stokes_drag.c on one row.
+ * stokes_drag.h -- row function of stokes_drag.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * tenneti.h -- the law of tenneti.c on one row.
+ * tenneti.h -- row function of tenneti.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

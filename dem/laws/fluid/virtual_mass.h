@@ -1,5 +1,5 @@
 /*
- * virtual_mass.h -- the law of virtual_mass.c on one row.
+ * virtual_mass.h -- row function of virtual_mass.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

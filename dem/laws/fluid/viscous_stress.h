@@ -1,5 +1,5 @@
 /*
- * viscous_stress.h -- the law of viscous_stress.c on one row.
+ * viscous_stress.h -- row function of viscous_stress.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

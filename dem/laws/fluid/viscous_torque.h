@@ -1,5 +1,5 @@
 /*
- * viscous_torque.h -- the law of viscous_torque.c on one row.
+ * viscous_torque.h -- row function of viscous_torque.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * wen_yu.h -- the law of wen_yu.c on one row.
+ * wen_yu.h -- row function of wen_yu.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

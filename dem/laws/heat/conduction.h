@@ -1,5 +1,5 @@
 /*
- * conduction.h -- the law of conduction.c on one row.
+ * conduction.h -- row function of conduction.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

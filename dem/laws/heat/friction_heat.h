@@ -1,5 +1,5 @@
 /*
- * friction_heat.h -- the law of friction_heat.c on one row.
+ * friction_heat.h -- row function of friction_heat.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * gas_film.h -- the law of gas_film.c on one row.
+ * gas_film.h -- row function of gas_film.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * gunn.h -- the law of gunn.c on one row.
+ * gunn.h -- row function of gunn.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

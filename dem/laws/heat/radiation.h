@@ -1,5 +1,5 @@
 /*
- * radiation.h -- the law of radiation.c on one row.
+ * radiation.h -- row function of radiation.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

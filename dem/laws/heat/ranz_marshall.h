@@ -1,5 +1,5 @@
 /*
- * ranz_marshall.h -- the law of ranz_marshall.c on one row.
+ * ranz_marshall.h -- row function of ranz_marshall.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * wakao.h -- the law of wakao.c on one row.
+ * wakao.h -- row function of wakao.c, which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
