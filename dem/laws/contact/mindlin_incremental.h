@@ -1,5 +1,5 @@
 /*
- * mindlin_incremental.h -- row function of mindlin_incremental.c, which has the formula and its source.
+ * mindlin_incremental.h -- row function of mindlin_incremental.c, which has the formula and source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
