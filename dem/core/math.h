@@ -5,8 +5,8 @@
  * The C library's functions differ between its versions and between processors. The functions here
  * use + - * / and integer operations on the bits only, so a compiler that keeps to IEEE 754 (no
  * -ffast-math, -ffp-contract=off, rounding to nearest) has no choice in any bit. They have no
- * branch and no table, so a loop that calls them becomes vector code. dem_select serves any kernel
- * whose ?: keeps its loop scalar.
+ * branch and no table, so a loop that calls them becomes vector code. dem_select (core/device.h)
+ * serves any kernel whose ?: keeps its loop scalar. OpenCL C compiles this header, too.
  *
  *   e^x     x = k ln 2 + r, |r| <= ln 2 / 2;  e^r = 1 + r + r^2 Q(r);
  *           k is added to the exponent's bits
@@ -34,13 +34,7 @@
 #ifndef DEM_CORE_MATH_H
 #define DEM_CORE_MATH_H
 
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-/* always inlined: one call left in a loop keeps the loop scalar, and compilers find pow too long */
-#define DEM_MATH static inline __attribute__((always_inline))
+#include "core/device.h"
 
 #define DEM_MATH_LN2_HIGH 0x1.62e42fefa38p-1          /* ln 2 to 42 binary places */
 #define DEM_MATH_LN2_LOW 0x1.ef35793c7673p-45         /* the rest of it */
@@ -52,31 +46,6 @@
 #define DEM_MATH_EXP_MAX 709.78       /* e^x is infinite above; ln DBL_MAX = 709.7827 */
 #define DEM_MATH_EXP_MIN (-708.39)    /* e^x is zero below; ln DBL_MIN = -708.3964 */
 #define DEM_MATH_SHIFTER 0x1.8p52     /* adding it leaves an integer in the low bits */
-
-DEM_MATH uint64_t dem_math_bits(double x)
-{
-    uint64_t bits;
-
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-DEM_MATH double dem_math_from_bits(uint64_t bits)
-{
-    double x;
-
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-/* yes ? a : b by masks, yes being 0 or 1: with ?: gcc moves the arithmetic of a and b into a branch
-   and the loop stays scalar */
-DEM_MATH double dem_select(int yes, double a, double b)
-{
-    const uint64_t mask = (uint64_t)0 - (uint64_t)yes;
-
-    return dem_math_from_bits((dem_math_bits(a) & mask) | (dem_math_bits(b) & ~mask));
-}
 
 /* e^r - 1 - r for |r| <= ln 2 / 2; even and odd powers apart, for shorter dependences */
 DEM_MATH double dem_math_exp_tail(double r)
@@ -152,9 +121,9 @@ DEM_MATH double dem_expm1(double x)
     const double lost = (high - r) - less;    /* rounding error of r */
     const double q = r + (dem_math_exp_tail(r) + lost);
 
-    /* in units of half = 2^(k-1), because 2^1024 is not representable */
-    const double half = dem_math_from_bits((dem_math_bits(shifted) + 1022) << 52);
-    const double y = 2.0*(half*q + (half - 0.5));
+    /* in units of power = 2^(k-1), because 2^1024 is not representable */
+    const double power = dem_math_from_bits((dem_math_bits(shifted) + 1022) << 52);
+    const double y = 2.0*(power*q + (power - 0.5));
 
     return dem_select(x <= DEM_MATH_EXP_MAX, y, fabs(x) + INFINITY);
 }

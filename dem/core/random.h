@@ -18,7 +18,7 @@
 #ifndef DEM_CORE_RANDOM_H
 #define DEM_CORE_RANDOM_H
 
-#include <stdint.h>
+#include "core/device.h"
 
 /* Spread every bit of a word over all 64 bits; bijective. */
 static inline uint64_t dem_random_mix(uint64_t h)

@@ -13,12 +13,12 @@
 #ifndef DEM_LAWS_BATCH_H
 #define DEM_LAWS_BATCH_H
 
+#include "laws/row.h"
+
 enum
 {
     /* rows of a batch: the columns of contacts in use fit the L1 cache */
-    DEM_BATCH_ROWS = 64,
-    /* columns in which a drag law keeps its voidage factors */
-    DEM_VOIDAGE_FACTORS = 2
+    DEM_BATCH_ROWS = 64
 };
 
 struct dem_scalar_rows;       /* laws/scalar.h */

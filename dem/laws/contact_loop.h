@@ -12,10 +12,13 @@
  *   LOOP     the name of the loop; default: apply
  *   ROW      the row function; default: <LAW>_row
  *   COLUMNS  the number of history columns; default: <LAW>_columns
+ *   SCALARS  the number of particle scalars; default: none
  *   BEFORE   called with settings and batch before the rows; default: nothing
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/batch_row.h"
+
 #ifndef LOOP
 #define LOOP apply
 #endif
@@ -24,6 +27,9 @@
 #endif
 #ifndef COLUMNS
 #define COLUMNS DEM_JOIN(LAW, _columns)
+#endif
+#ifndef SCALARS
+#define SCALARS 0
 #endif
 
 DEM_KERNEL
@@ -42,6 +48,7 @@ static void LOOP(const void *of, struct dem_contact_batch *restrict b, double *c
         struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);
         double values[DEM_LAW_HISTORY];
 
+        dem_contact_row_load_scalars(&r, SCALARS, SETS, b, c);
         dem_history_load(history, COLUMNS, c, values);
         ROW(&settings_of_class, &r, values);
         dem_history_store(values, COLUMNS, c, history);
@@ -54,4 +61,5 @@ static void LOOP(const void *of, struct dem_contact_batch *restrict b, double *c
 #undef LOOP
 #undef ROW
 #undef COLUMNS
+#undef SCALARS
 #undef BEFORE

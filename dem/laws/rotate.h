@@ -16,7 +16,6 @@
 #define DEM_LAWS_ROTATE_H
 
 #include "core/math.h"
-#include "laws/batch.h"
 
 struct dem_history_vector
 {
@@ -59,9 +58,9 @@ DEM_MATH struct dem_history_vector dem_rotate_history(struct dem_history_vector 
     const struct dem_history_vector projected =
         dem_rotate_add(reflected, -dem_rotate_dot(n, reflected), n);
 
-    const struct dem_history_vector half = dem_rotate_about_normal(projected, n, q);
+    const struct dem_history_vector turned = dem_rotate_about_normal(projected, n, q);
 
-    return dem_rotate_about_normal(dem_rotate_add(half, 1.0, increment), n, q);
+    return dem_rotate_about_normal(dem_rotate_add(turned, 1.0, increment), n, q);
 }
 
 /* a, which is normal to h, rotated by the smallest rotation into the plane normal to n */

@@ -31,8 +31,7 @@
 enum
 {
     DEM_SCALARS = 12,           /* limit of a scene */
-    DEM_EFFECT_SCALARS = 4,     /* limit of an effect */
-    DEM_SCALAR_COLUMNS = 10   /* columns of an exchange, enum dem_scalar_column */
+    DEM_SCALAR_COLUMNS = 10     /* columns of an exchange, enum dem_scalar_column */
 };
 
 enum dem_scalar_flag

@@ -66,10 +66,10 @@ static void deform(double stretched, double slip, double twist, double bend)
     b->distance[0] = 2.0*R + stretched;
     b->gap[0] = stretched;
     b->reduced_radius[0] = 0.5*R, b->min_radius[0] = R, b->reduced_mass[0] = w.pair.min_mass;
-    column[LENGTH][0] = 2.0*R;
-    column[SHEAR][0] = slip;
-    column[TWIST][0] = twist;
-    column[BEND][0] = bend;
+    column[DEM_BOND_LENGTH][0] = 2.0*R;
+    column[DEM_BOND_SHEAR][0] = slip;
+    column[DEM_BOND_TWIST][0] = twist;
+    column[DEM_BOND_BEND][0] = bend;
     dem_bond_linear.apply(settings, b, history);
 }
 
@@ -163,7 +163,7 @@ static int bonded_after(int redraw, const int *meets, int steps)
         }
         for (int c = 0; c < b->n; c++)
         {
-            bonded += column[LENGTH][c] > 0.0;
+            bonded += column[DEM_BOND_LENGTH][c] > 0.0;
         }
     }
     return bonded;

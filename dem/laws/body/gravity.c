@@ -11,37 +11,22 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/body/gravity.h"
 #include "laws/effect.h"
 
-struct gravity
-{
-    double acceleration[3];
-};
-
 static const struct dem_setting settings[] = {
-    DEM_SETTING_VECTOR(gravity, acceleration, "m/s2", DEM_SETTING_REQUIRED, -INFINITY, INFINITY,
+    DEM_SETTING_VECTOR(dem_gravity, acceleration, "m/s2", DEM_SETTING_REQUIRED, -INFINITY, INFINITY,
                      "(0 0 -9.81) on Earth with z up"),
     {0},
 };
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    const struct gravity *gravity = of;
-    const double gx = gravity->acceleration[0], gy = gravity->acceleration[1],
-                   gz = gravity->acceleration[2];
-
-    for (int c = 0; c < b->n; c++)
-    {
-        b->fx[c] += b->mass[c]*gx;
-        b->fy[c] += b->mass[c]*gy;
-        b->fz[c] += b->mass[c]*gz;
-    }
-}
+#define LAW dem_gravity
+#define SETS DEM_SETS_FORCE
+#include "laws/body_loop.h"
 
 static void uniform_acceleration(const void *of, double g[3])
 {
-    const struct gravity *gravity = of;
+    const struct dem_gravity *gravity = of;
 
     for (int k = 0; k < 3; k++)
     {
@@ -56,7 +41,7 @@ const struct dem_effect dem_gravity = {
     .stage = DEM_STAGE_BODY,
     .parcels = DEM_PARCELS_SAME,
     .example = "acceleration (0 0 -9.81);",
-    .size = sizeof(struct gravity),
+    .size = sizeof(struct dem_gravity),
     .settings = settings,
     .apply_to_bodies = apply_to_bodies,
     .uniform_acceleration = uniform_acceleration,

@@ -70,88 +70,65 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/bond/bond_linear.h"
 #include "laws/effect.h"
 
-#include "core/math.h"
-#include "core/random.h"
-#include "laws/bond/bond_springs.h"
-
-enum
-{
-    ONCE,
-    ALWAYS,
-    LISTED
-};
 static const char *const makings[] = {"once", "always", "listed", NULL};
 
-enum
-{
-    REPLACED,
-    PARALLEL
-};
 static const char *const contacts[] = {"replaced", "parallel", NULL};
 
-struct bond
-{
-    double normal_stiffness, shear_stiffness, radius;
-    int make, walls, contact, abs_normal, redraw;
-    double time, make_distance, break_distance, probability, seed;
-    double damping_ratio, damping_share, relaxation;
-    double own_share[4];                                  /* 1  dampingShare of each motion */
-    double normal_strength, strength_ratio, shear_strength, friction;
-    double inverse_exponent, inertia;                     /* 1, 1: derived; I* = inertia m* R*^2 */
-    double share[4];                                      /* 1  used, derived */
-    int idle;                                             /* 1: no bonds in this pair class */
-};
-
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(bond, normal_stiffness, "normalStiffness", "Pa/m", DEM_SETTING_REQUIRED,
-                   DEM_ABOVE_ZERO, INFINITY,
+    DEM_SETTING_AS(dem_bond_linear, normal_stiffness, "normalStiffness", "Pa/m",
+                   DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
                    "force per area and elongation: Young's modulus over length of a beam"),
-    DEM_SETTING_AS(bond, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED, 0.0,
-                   INFINITY, "force per area and slip: shear modulus over length"),
-    DEM_SETTING(bond, radius, "1", 1.0, DEM_ABOVE_ZERO, 10.0,
+    DEM_SETTING_AS(dem_bond_linear, shear_stiffness, "shearStiffness", "Pa/m", DEM_SETTING_REQUIRED,
+                   0.0, INFINITY, "force per area and slip: shear modulus over length"),
+    DEM_SETTING(dem_bond_linear, radius, "1", 1.0, DEM_ABOVE_ZERO, 10.0,
                 "lambda: radius of the bond over the radius of the smaller partner"),
     DEM_SETTING_CHOICE(
-        bond, make, "make", ONCE, makings,
+        dem_bond_linear, make, "make", DEM_BOND_MAKE_ONCE, makings,
         "when bonds are made: once at time, always from time on, or once at time for the pairs "
         "in bonds"),
-    DEM_SETTING(bond, time, "s", 0.0, 0.0, INFINITY, "at which bonds are made (see make)"),
-    DEM_SETTING_AS(bond, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
+    DEM_SETTING(dem_bond_linear, time, "s", 0.0, 0.0, INFINITY,
+                "at which bonds are made (see make)"),
+    DEM_SETTING_AS(dem_bond_linear, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
                    "bonds are made up to this distance of the centres over R_i + R_j"),
-    DEM_SETTING(bond, probability, "1", 1.0, 0.0, 1.0, "that a pair within makeDistance is bonded"),
-    DEM_SETTING_COUNT(bond, seed, "seed", 1.0, 0.0, 1e15, "of the random numbers of probability"),
-    DEM_SETTING_SWITCH(bond, redraw, "redraw", 0,
+    DEM_SETTING(dem_bond_linear, probability, "1", 1.0, 0.0, 1.0,
+                "that a pair within makeDistance is bonded"),
+    DEM_SETTING_COUNT(dem_bond_linear, seed, "seed", 1.0, 0.0, 1e15,
+                      "of the random numbers of probability"),
+    DEM_SETTING_SWITCH(dem_bond_linear, redraw, "redraw", 0,
                        "draw probability again each time a pair comes within makeDistance"),
-    DEM_SETTING_SWITCH(bond, walls, "walls", 0, "bonds are also made to walls"),
-    DEM_SETTING_CHOICE(bond, contact, "contact", REPLACED, contacts,
+    DEM_SETTING_SWITCH(dem_bond_linear, walls, "walls", 0, "bonds are also made to walls"),
+    DEM_SETTING_CHOICE(dem_bond_linear, contact, "contact", DEM_BOND_CONTACT_REPLACED, contacts,
                        "contact laws of a bonded pair: replaced by the bond, or acting parallel "
                        "to it"),
-    DEM_SETTING_AS(bond, damping_ratio, "dampingRatio", "1", 0.0, 0.0, 1.0,
+    DEM_SETTING_AS(dem_bond_linear, damping_ratio, "dampingRatio", "1", 0.0, 0.0, 1.0,
                    "zeta: viscous damping, 1 is critical for an isolated pair"),
-    DEM_SETTING_AS(bond, damping_share, "dampingShare", "1", 0.0, 0.0, 1.0,
+    DEM_SETTING_AS(dem_bond_linear, damping_share, "dampingShare", "1", 0.0, 0.0, 1.0,
                    "damping force as a fraction of the force of each spring, against its velocity"),
-    DEM_SETTING_AS(bond, own_share[0], "normalDampingShare", "1", -1.0, 0.0, 1.0,
+    DEM_SETTING_AS(dem_bond_linear, own_share[0], "normalDampingShare", "1", -1.0, 0.0, 1.0,
                    "dampingShare of stretching; -1, not given: dampingShare"),
-    DEM_SETTING_AS(bond, own_share[1], "shearDampingShare", "1", -1.0, 0.0, 1.0,
+    DEM_SETTING_AS(dem_bond_linear, own_share[1], "shearDampingShare", "1", -1.0, 0.0, 1.0,
                    "dampingShare of shear; -1, not given: dampingShare"),
-    DEM_SETTING_AS(bond, own_share[2], "twistDampingShare", "1", -1.0, 0.0, 1.0,
+    DEM_SETTING_AS(dem_bond_linear, own_share[2], "twistDampingShare", "1", -1.0, 0.0, 1.0,
                    "dampingShare of twist; -1, not given: dampingShare"),
-    DEM_SETTING_AS(bond, own_share[3], "bendingDampingShare", "1", -1.0, 0.0, 1.0,
+    DEM_SETTING_AS(dem_bond_linear, own_share[3], "bendingDampingShare", "1", -1.0, 0.0, 1.0,
                    "dampingShare of bending; -1, not given: dampingShare"),
-    DEM_SETTING(bond, relaxation, "1/s", 0.0, 0.0, INFINITY, "eta: forces decay as exp(-eta t)"),
-    DEM_SETTING_AS(bond, normal_strength, "normalStrength", "Pa", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_bond_linear, relaxation, "1/s", 0.0, 0.0, INFINITY,
+                "eta: forces decay as exp(-eta t)"),
+    DEM_SETTING_AS(dem_bond_linear, normal_strength, "normalStrength", "Pa", 0.0, 0.0, INFINITY,
                    "tensile stress of tension and bending at which bonds break; 0: never"),
-    DEM_SETTING_AS(bond, strength_ratio, "strengthRatio", "1", 1.0, DEM_ABOVE_ZERO, 1e3,
+    DEM_SETTING_AS(dem_bond_linear, strength_ratio, "strengthRatio", "1", 1.0, DEM_ABOVE_ZERO, 1e3,
                    "factor on normalStrength while the bond is stretched"),
-    DEM_SETTING_SWITCH(bond, abs_normal, "absNormal", 0,
+    DEM_SETTING_SWITCH(dem_bond_linear, abs_normal, "absNormal", 0,
                        "compression counts like tension against normalStrength"),
-    DEM_SETTING_AS(bond, shear_strength, "shearStrength", "Pa", 0.0, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_bond_linear, shear_strength, "shearStrength", "Pa", 0.0, 0.0, INFINITY,
                    "shear stress of shear and twist at which bonds break; 0: never"),
-    DEM_SETTING_AS(bond, friction, "internalFriction", "1", 0.0, 0.0, 100.0,
+    DEM_SETTING_AS(dem_bond_linear, friction, "internalFriction", "1", 0.0, 0.0, 100.0,
                    "tan(phi): increase of shearStrength per compressive stress (Drucker-Prager)"),
     DEM_SETTING_AS(
-        bond, break_distance, "breakDistance", "1", 1.1, DEM_ABOVE_ZERO, 100.0,
+        dem_bond_linear, break_distance, "breakDistance", "1", 1.1, DEM_ABOVE_ZERO, 100.0,
         "bonds break at this distance of the centres over R_i + R_j; a larger one widens "
         "the pair search"),
     {0},
@@ -162,16 +139,9 @@ static const char *const history_names[] =
      "bond_twist",  "bond_bend_x", "bond_bend_y", "bond_bend_z", "bond_asked",
      NULL};
 
-/* values of LENGTH of a broken bond: the pair has not yet been farther apart than makeDistance;
-   and the surfaces have not separated yet. REFUSED: with redraw, the pair was drawn and not bonded,
-   and has not been farther apart since */
-#define PARTED (-1.0)
-#define BROKEN (-2.0)
-#define REFUSED (-3.0)
-
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct bond *bond = of;
+    struct dem_bond_linear *bond = of;
 
     DEM_REQUIRE(
         bond->break_distance > bond->make_distance, DEM_ERROR_INPUT,
@@ -193,7 +163,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
         bond->share[k] = bond->own_share[k] < 0.0 ? bond->damping_share : bond->own_share[k];
     }
     DEM_REQUIRE(
-        !bond->redraw || bond->make == ALWAYS, DEM_ERROR_INPUT,
+        !bond->redraw || bond->make == DEM_BOND_MAKE_ALWAYS, DEM_ERROR_INPUT,
         "bondLinear between %s and %s: redraw yes needs make always: with make %s each pair is drawn once; change one of them",
         pair->a->name, pair->b->name, makings[bond->make]);
     bond->inverse_exponent = pair->exponent > 0.0 ? 1.0/pair->exponent : 1.0;
@@ -204,7 +174,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 static double reach(const void *of, const struct dem_pair_class *pair)
 {
-    const struct bond *bond = of;
+    const struct dem_bond_linear *bond = of;
 
     return bond->idle || bond->break_distance < 1.0
                ? 0.0
@@ -213,7 +183,7 @@ static double reach(const void *of, const struct dem_pair_class *pair)
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const struct bond *bond = of;
+    const struct dem_bond_linear *bond = of;
     const double equal = pair->with_wall ? 1.0 : 2.0, R = equal*pair->min_radius,
                  m = equal*pair->min_mass, I_p = 0.4*m*R*R;
     const double rb = bond->radius*R, A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
@@ -225,219 +195,35 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return bond->idle ? DBL_MAX : 0.4/sqrt(fmax(fmax(axial, rocking), fmax(twist, bend)));
 }
 
-/* ---- before the contact laws --------------------------------------------------------------------------------- */
+/* ---- loops ----------------------------------------------------------------------------------- */
 
-DEM_MATH void shield_row(const struct bond *bond, struct dem_contact_row *r, double *values)
-{
-    const double replaces = dem_select(bond->contact == REPLACED, 1.0, 0.0);
-    /* a pair that never bonds again must not keep a history: it would depend on how long the
-       pair has been in the list */
-    const double parted = dem_select(bond->make == ALWAYS, PARTED, 0.0);
-    const double length = values[LENGTH], worn = values[WORN];
-
-    /* a bonded pair keeps its overlap (needed by hand_over), but not the history of its contact */
-    const double replaced = dem_select(length > 0.0, replaces, 0.0);
-    const double less = dem_select(worn < r->overlap, worn, r->overlap), left = r->overlap - less;
-
-    /* after a bond has broken, surfaces do not adhere before they have separated */
-    const double now = dem_select((length == BROKEN) & (r->overlap == 0.0), parted, length);
-
-    r->bond_replaces = dem_select(now == BROKEN, replaces, replaced);
-    r->overlap = left;
-    r->touching = (1.0 - replaced)*dem_select(left > 0.0, r->touching, 0.0);
-    values[LENGTH] = now;
-    values[WORN] = less;
-}
-
-#define LOOP shield
-#define LAW bond
-#define ROW shield_row
-#define COLUMNS (WORN + 1)
-#define SETS DEM_SETS_REPLACED
+#define LOOP replace_contact
+#define LAW dem_bond_linear
+#define ROW dem_bond_linear_replace_row
+#define COLUMNS (DEM_BOND_WORN + 1)
+#define SETS DEM_SETS_REPLACED | DEM_SETS_TOUCHING
 #include "laws/contact_loop.h"
 
-/* ---- making -------------------------------------------------------------------------------------------------- */
-
-/* random number in 0 .. 1 of a pair; with redraw of the time, too, at which it meets */
-static double drawn(const struct bond *bond, double chance, double time)
-{
-    return dem_random_unit((uint64_t)bond->seed, dem_math_bits(chance),
-                           bond->redraw ? dem_math_bits(time) : 0, 0);
-}
-
-/* Makes bonds. In the first evaluation of a run, `previous_time` is -infinity: bonds are made if `time`
-   has been reached; afterwards in the step that passes it. */
-static void make(const struct bond *bond, struct dem_contact_batch *b, double *const *history)
-{
-    const int once = b->previous_time < bond->time && b->time >= bond->time,
-              from_now_on = b->time >= bond->time;
-    double *const length = history[LENGTH];
-
-    for (int c = 0; (bond->make == ALWAYS ? from_now_on : once) && !bond->idle && c < b->n; c++)
-    {
-        const double width = b->distance[c] - b->gap[c];
-        const int near = b->is_primary[c] > 0.0 && b->distance[c] > 0.0 &&
-                         b->distance[c] <= bond->make_distance*width;
-
-        length[c] = length[c] < 0.0 && !near ? 0.0 : length[c];
-        if (!near || length[c] != 0.0 || (bond->make == LISTED && !(history[ASKED][c] > 0.0)))
-        {
-            continue;
-        }
-        if (drawn(bond, b->pair_random[c], b->time) >= bond->probability)
-        {
-            length[c] = bond->redraw ? REFUSED : 0.0;
-        }
-        else
-        {
-            length[c] = b->distance[c];
-            history[WORN][c] = 0.0;
-            b->bond_replaces[c] = bond->contact == REPLACED ? 2.0 : 0.0;
-            /* energy of the replaced contact is dissipated; F = k d ~ d^p stores F d/(p + 1) */
-            b->lost[c] += bond->contact == REPLACED ? b->kn[c]*b->overlap[c]*b->overlap[c]/
-                                                          (1.0 + 1.0/bond->inverse_exponent)
-                                                    : 0.0;
-        }
-    }
-}
-
-/* ---- forces -------------------------------------------------------------------------------------------------- */
-
-/* Damping coefficient of a spring with |F| = force and |v| = rate: viscous, and the fraction of
-   the force. mass: effective mass or inertia. */
-DEM_MATH double damper(const struct bond *bond, int motion, double stiffness, double force,
-                         double rate, double mass, double dt)
-{
-    const double min_rate =
-        dem_select(mass > 0.0, force*dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
-    const double speed = dem_select(rate > min_rate, rate, min_rate);
-
-    return 2.0*bond->damping_ratio*sqrt(stiffness*mass) +
-           bond->share[motion]*force/dem_select(speed > 0.0, speed, 1.0);
-}
-
-/* 0: the bond holds, 1: sigma breaks it, 2: tau breaks it. force: F_n, positive in compression,
-   |F_t|, |T_n|, |T_t|. */
-DEM_MATH double breaks(const struct bond *bond, double rb, const double force[4],
-                         double stretched)
-{
-    const double A = 3.14159265358979324*rb*rb,
-                   inverse_area = dem_select(A > 0.0, 1.0/dem_select(A > 0.0, A, 1.0), 0.0);
-    const double inverse_section =
-        dem_select(rb > 0.0, inverse_area/dem_select(rb > 0.0, rb, 1.0), 0.0);
-    const double tension = bond->abs_normal ? fabs(force[0]) : -force[0];
-    const double sigma = tension*inverse_area + 4.0*force[3]*inverse_section, 
-        tau = force[1]*inverse_area + 2.0*force[2]*inverse_section;
-    const double sigma_limit =
-        dem_select(stretched > 0.0, bond->strength_ratio, 1.0)*bond->normal_strength;
-    const double tau_raw = bond->shear_strength + force[0]*inverse_area*bond->friction;
-    const double tau_limit = dem_select(tau_raw > 0.0, tau_raw, 0.0);
-
-    const double sheared =
-        dem_select((bond->shear_strength > 0.0) & (tau >= tau_limit), 2.0, 0.0);
-
-    return dem_select((bond->normal_strength > 0.0) & (sigma >= sigma_limit), 1.0, sheared);
-}
-
-/* One bond: increments of the springs, relaxation, breaking criteria, forces. In rows without a
-   bond all terms are zero. */
-DEM_MATH void row(const struct bond *bond, struct dem_contact_row *r, double *values)
-{
-    const double decay = dem_exp(-bond->relaxation*r->dt);
-    const double dt = r->dt, holds = dem_select(values[LENGTH] > 0.0, 1.0, 0.0);
-    const double rb = holds*bond->radius*r->min_radius, A = 3.14159265358979324*rb*rb,
-                   J = 0.5*A*rb*rb;
-    const double kn = bond->normal_stiffness*A, kt = bond->shear_stiffness*A;
-    const double kw = bond->shear_stiffness*J, kb = 0.5*bond->normal_stiffness*J;
-    const struct dem_bond_springs l = dem_bond_springs(r, values);
-    const struct dem_history_vector n = l.n, slip = l.slip, turn = l.turn, u = l.u, bend = l.bend;
-    const double spin = l.spin, twist = l.twist, squeezed = l.squeezed, vn = r->distance_rate;
-    const double energy = 0.5*(kn*squeezed*squeezed + kt*dem_rotate_dot(u, u) +
-                                   kw*twist*twist + kb*dem_rotate_dot(bend, bend));
-
-    /* forces after relaxation, and whether the bond breaks */
-    const double size[4] = {decay*kn*squeezed, decay*kt*sqrt(dem_rotate_dot(u, u)),
-                              decay*kw*fabs(twist),
-                              decay*kb*sqrt(dem_rotate_dot(bend, bend))};
-    const double width = r->distance - r->gap;
-    const double stressed = breaks(bond, rb, size, -squeezed),
-                   too_far = dem_select(r->distance >= bond->break_distance*width, 3.0, 0.0);
-    const double cause = dem_select(stressed > 0.0, stressed, too_far);
-    const double on = dem_select(cause > 0.0, 0.0, holds), left = on*decay;
-
-    /* damping dissipates kinetic energy, relaxation and breaking elastic energy */
-    const double m = r->reduced_mass,
-                   I = bond->inertia*m*r->reduced_radius*r->reduced_radius;
-    const double cn = on*damper(bond, 0, kn, fabs(size[0]), fabs(vn), m, dt);
-    const double ct =
-        on*damper(bond, 1, kt, size[1], sqrt(dem_rotate_dot(slip, slip)), m*(2.0/7.0), dt);
-    const double cw = on*damper(bond, 2, kw, size[2], fabs(spin), I, dt);
-    const double cb = on*damper(bond, 3, kb, size[3], sqrt(dem_rotate_dot(turn, turn)), I, dt);
-    const double taken = dt*(cn*vn*vn + ct*dem_rotate_dot(slip, slip) + cw*spin*spin +
-                                 cb*dem_rotate_dot(turn, turn));
-    const double other = dem_select(holds > 0.0, bond->contact == REPLACED ? 0.0 : 1.0, 1.0);
-
-    r->fn = other*r->fn + on*size[0] - cn*vn;
-    r->fx = other*r->fx - left*kt*u.x - ct*slip.x;
-    r->fy = other*r->fy - left*kt*u.y - ct*slip.y;
-    r->fz = other*r->fz - left*kt*u.z - ct*slip.z;
-    const double twist_moment = -left*kw*twist - cw*spin;
-
-    r->mx = other*r->mx + twist_moment*n.x - left*kb*bend.x - cb*turn.x;
-    r->my = other*r->my + twist_moment*n.y - left*kb*bend.y - cb*turn.y;
-    r->mz = other*r->mz + twist_moment*n.z - left*kb*bend.z - cb*turn.z;
-    r->stored += on*decay*decay*energy;
-    r->lost += holds*energy - on*decay*decay*energy + taken;
-    r->bonds += on;
-    r->broke += holds - on;
-    r->cause = cause;
-
-    values[SHEAR] = left*u.x;
-    values[SHEAR + 1] = left*u.y;
-    values[SHEAR + 2] = left*u.z;
-    values[TWIST] = left*twist;
-    values[BEND] = left*bend.x;
-    values[BEND + 1] = left*bend.y;
-    values[BEND + 2] = left*bend.z;
-    /* of a broken bond WORN is, until hand_over, its normal force */
-    values[LENGTH] = dem_select(holds > on, BROKEN, values[LENGTH] + on*(decay - 1.0)*squeezed);
-    values[WORN] = dem_select(holds > on, size[0], values[WORN]);
-}
+#define LOOP make
+#define LAW dem_bond_linear
+#define ROW dem_bond_linear_make_row
+#define SETS DEM_SETS_REPLACED | DEM_SETS_LOST
+#include "laws/contact_loop.h"
 
 #define LOOP hold
-#define LAW bond
-#define ROW row
-#define COLUMNS ASKED
+#define LAW dem_bond_linear
+#define ROW dem_bond_linear_hold_row
+#define COLUMNS DEM_BOND_ASKED
 #define SETS DEM_SETS_FN | DEM_SETS_FORCE | DEM_SETS_MOMENT | DEM_SETS_STORED | \
     DEM_SETS_LOST | DEM_SETS_BONDS
 #include "laws/contact_loop.h"
 
-/* ---- breaking ------------------------------------------------------------------------------------------------ */
-
-/* The contact takes over the smaller of the compressive bond force (in WORN) and the force of
-   its own overlap; WORN becomes the overlap without force. */
-static void hand_over(const struct bond *bond, struct dem_contact_batch *b, double *worn)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        if (b->broke[c] == 0.0)
-        {
-            continue;
-        }
-        const double capacity = b->kn[c]*b->overlap[c],
-                       compression = worn[c] > 0.0 ? worn[c] : 0.0;
-        const double taken_over = compression < capacity ? compression : capacity;
-        const double share =
-            capacity > 0.0 ? dem_pow(taken_over/capacity, bond->inverse_exponent) : 0.0;
-
-        const double taken = bond->contact == REPLACED ? taken_over : 0.0;
-
-        worn[c] = bond->contact == REPLACED ? b->overlap[c]*(1.0 - share) : 0.0;
-        b->fn[c] += taken;
-        /* the elastic energy of the contact is not dissipated */
-        b->lost[c] -= taken*b->overlap[c]*share/(1.0 + 1.0/bond->inverse_exponent);
-    }
-}
+#define LOOP hand_over
+#define LAW dem_bond_linear
+#define ROW dem_bond_linear_hand_over_row
+#define COLUMNS (DEM_BOND_WORN + 1)
+#define SETS DEM_SETS_FN | DEM_SETS_LOST
+#include "laws/contact_loop.h"
 
 static int any_broke(const struct dem_contact_batch *b)
 {
@@ -450,15 +236,17 @@ static int any_broke(const struct dem_contact_batch *b)
     return broken > 0.0;
 }
 
+/* dem_bond_linear_row in loops, two of which are needed in few steps only */
 static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
 {
-    const struct bond *bond = of;
-
-    make(bond, b, history);
+    if (dem_bond_linear_makes(of, b->time, b->previous_time))
+    {
+        make(of, b, history);
+    }
     hold(of, b, history);
     if (any_broke(b))
     {
-        hand_over(bond, b, history[WORN]);
+        hand_over(of, b, history);
     }
 }
 
@@ -468,7 +256,7 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, double *
    drift, from x to x', ended without force, or with F of the contact that takes over, so that the
    work done was (k x + F) (x' - x)/2 only. A bond made in this step has no length from the last
    step and no normal elongation. */
-static double unspent(const struct bond *bond, const struct dem_contact_batch *b,
+static double unspent(const struct dem_bond_linear *bond, const struct dem_contact_batch *b,
                         double *const *before, int c, double taken_over)
 {
     const double rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
@@ -476,7 +264,7 @@ static double unspent(const struct bond *bond, const struct dem_contact_batch *b
     const struct dem_contact_row r = dem_contact_row_load(b, c, dem_contact_batch_inverse_dt(b));
     double values[DEM_LAW_HISTORY];
 
-    dem_history_load(before, BOND_HISTORY, c, values);
+    dem_history_load(before, DEM_BOND_HISTORY, c, values);
     const struct dem_bond_springs l = dem_bond_springs(&r, values);
     const double slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
                    bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
@@ -484,7 +272,7 @@ static double unspent(const struct bond *bond, const struct dem_contact_batch *b
     return 0.5*b->dt*
            (bond->shear_stiffness*(A*slid + J*l.twist*l.spin) +
             0.5*bond->normal_stiffness*J*bent -
-            (bond->normal_stiffness*A*(before[LENGTH][c] > 0.0 ? l.squeezed : 0.0) -
+            (bond->normal_stiffness*A*(before[DEM_BOND_LENGTH][c] > 0.0 ? l.squeezed : 0.0) -
              taken_over)*
                 b->distance_rate[c]);
 }
@@ -495,15 +283,16 @@ static double unspent(const struct bond *bond, const struct dem_contact_batch *b
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct bond *bond = of;
+    const struct dem_bond_linear *bond = of;
     const double exponent = 1.0/bond->inverse_exponent, more = 1.0 + exponent;
 
     for (int c = 0; c < b->n; c++)
     {
-        const double from = before[LENGTH][c], to = history[LENGTH][c], d = b->overlap[c];
-        const int replaced = bond->contact == REPLACED;
+        const double from = before[DEM_BOND_LENGTH][c], to = history[DEM_BOND_LENGTH][c],
+                     d = b->overlap[c];
+        const int replaced = bond->contact == DEM_BOND_CONTACT_REPLACED;
         const double share =
-            replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[WORN][c]/d : 0.0;
+            replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[DEM_BOND_WORN][c]/d : 0.0;
 
         e->stored[c] += share > 0.0 ? b->kn[c]*d*d*dem_pow(share, more)/more : 0.0;
         e->stored[c] -= replaced && from <= 0.0 && to > 0.0 ? b->kn[c]*d*d/more : 0.0;
@@ -516,7 +305,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
 static int makes_listed(const void *of)
 {
-    return ((const struct bond *)of)->make == LISTED;
+    return ((const struct dem_bond_linear *)of)->make == DEM_BOND_MAKE_LISTED;
 }
 
 static int adhesive(const void *of)
@@ -533,7 +322,7 @@ const struct dem_effect dem_bond_linear = {
     .stage = DEM_STAGE_BOND,
     .needs = DEM_NEEDS_SPIN | DEM_NEEDS_NORMAL_SPIN | DEM_NEEDS_RANDOM,
     .example = "normalStiffness 1e9; shearStiffness 1e9;",
-    .size = sizeof(struct bond),
+    .size = sizeof(struct dem_bond_linear),
     .settings = settings,
     .history = history_names,
     .listed_column = "bond_asked",
@@ -541,7 +330,7 @@ const struct dem_effect dem_bond_linear = {
     .prepare = prepare,
     .reach = reach,
     .time_limit = time_limit,
-    .replace_contact = shield,
+    .replace_contact = replace_contact,
     .apply = apply,
     .energy = energy,
     .adhesive = adhesive,

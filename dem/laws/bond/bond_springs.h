@@ -6,21 +6,21 @@
 #ifndef DEM_LAWS_BOND_SPRINGS_H
 #define DEM_LAWS_BOND_SPRINGS_H
 
-#include "laws/row.h"
 #include "laws/rotate.h"
+#include "laws/row.h"
 
 /* history columns of a bond; see `history_names` in bond_linear.c */
 enum
 {
     /* m  force-free length l; 0: no bond; < 0: broken, see bond_linear.c */
-    LENGTH,
+    DEM_BOND_LENGTH,
     /* m  overlap that is subtracted for the contact laws */
-    WORN,
-    SHEAR,
-    TWIST = SHEAR + 3,
-    BEND,
-    ASKED = BEND + 3,                                     /* 1    1: the scene lists this pair */
-    BOND_HISTORY
+    DEM_BOND_WORN,
+    DEM_BOND_SHEAR,
+    DEM_BOND_TWIST = DEM_BOND_SHEAR + 3,
+    DEM_BOND_BEND,
+    DEM_BOND_ASKED = DEM_BOND_BEND + 3,    /* 1    1: the scene lists this pair */
+    DEM_BOND_HISTORY
 };
 
 /* springs of a bond in the new frame, and their velocities */
@@ -49,14 +49,16 @@ DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_row *
         .turn = turn,
         .q = q,
         .spin = spin,
-        .twist = values[TWIST] + dt*spin,
-        .u = dem_rotate_history((struct dem_history_vector){values[SHEAR], values[SHEAR + 1],
-                                                            values[SHEAR + 2]},
+        .twist = values[DEM_BOND_TWIST] + dt*spin,
+        .u = dem_rotate_history((struct dem_history_vector){values[DEM_BOND_SHEAR],
+                                                            values[DEM_BOND_SHEAR + 1],
+                                                            values[DEM_BOND_SHEAR + 2]},
                                 slid, h, n, q),
-        .bend = dem_rotate_history((struct dem_history_vector){values[BEND], values[BEND + 1],
-                                                               values[BEND + 2]},
+        .bend = dem_rotate_history((struct dem_history_vector){values[DEM_BOND_BEND],
+                                                               values[DEM_BOND_BEND + 1],
+                                                               values[DEM_BOND_BEND + 2]},
                                    bent, h, n, q),
-        .squeezed = values[LENGTH] - r->distance};
+        .squeezed = values[DEM_BOND_LENGTH] - r->distance};
 }
 
 #endif

@@ -24,9 +24,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
 #include "laws/contact/dry.h"
+#include "laws/contact/restitution_effect.h"
+#include "laws/effect.h"
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(dem_dry, restitution, "1", DEM_SETTING_REQUIRED, 0.0, 1.0,

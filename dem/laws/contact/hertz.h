@@ -7,9 +7,7 @@
 #ifndef DEM_LAWS_HERTZ_H
 #define DEM_LAWS_HERTZ_H
 
-#include "core/math.h"
 #include "laws/row.h"
-#include <math.h>
 
 struct dem_hertz
 {
@@ -22,8 +20,6 @@ enum
 {
     dem_hertz_columns = 0
 };
-
-#define dem_hertz_before(settings, batch) (void)0
 
 DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r, double *history)
 {

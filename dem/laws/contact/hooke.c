@@ -22,6 +22,7 @@
 #include "laws/effect.h"
 
 #include "laws/contact/hooke.h"
+#include "laws/contact/impact_speed.h"
 #include "laws/parcels.h"
 
 static const struct dem_setting settings[] = {
@@ -54,7 +55,8 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 }
 
 #define LAW dem_hooke
-#define BEFORE dem_hooke_before
+#define BEFORE(settings, batch) dem_impact_stiffnesses(&(settings)->spring, batch)
+#define ROW dem_hooke_force_row
 #define SETS DEM_SETS_FN
 #include "laws/contact_loop.h"
 

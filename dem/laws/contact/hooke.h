@@ -7,8 +7,7 @@
 #ifndef DEM_LAWS_HOOKE_H
 #define DEM_LAWS_HOOKE_H
 
-#include "laws/contact/impact_speed.h"
-#include "laws/row.h"
+#include "laws/contact/impact_spring.h"
 
 struct dem_hooke
 {
@@ -21,17 +20,18 @@ enum
     dem_hooke_columns = 0
 };
 
-/* before the rows */
-DEM_MATH void dem_hooke_before(const struct dem_hooke *l, struct dem_contact_batch *b)
-{
-    dem_impact_stiffness(&l->spring, b);
-}
-
-/* k_n: of dem_hooke_before */
-DEM_MATH void dem_hooke_row(const struct dem_hooke *l, struct dem_contact_row *r, double *history)
+/* The force, k_n being known. */
+DEM_MATH void dem_hooke_force_row(const struct dem_hooke *l, struct dem_contact_row *r,
+                                  double *history)
 {
     (void)l, (void)history;
     r->fn += r->kn*r->overlap;
+}
+
+DEM_MATH void dem_hooke_row(const struct dem_hooke *l, struct dem_contact_row *r, double *history)
+{
+    dem_impact_stiffness_row(&l->spring, r);
+    dem_hooke_force_row(l, r, history);
 }
 
 #endif

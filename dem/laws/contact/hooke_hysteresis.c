@@ -46,6 +46,7 @@
 #include "laws/effect.h"
 
 #include "laws/contact/hooke_hysteresis.h"
+#include "laws/contact/impact_speed.h"
 #include "laws/parcels.h"
 
 static const struct dem_setting settings[] = {
@@ -93,7 +94,8 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 }
 
 #define LAW dem_hooke_hysteresis
-#define BEFORE dem_hooke_hysteresis_before
+#define BEFORE(settings, batch) dem_impact_stiffnesses(&(settings)->spring, batch)
+#define ROW dem_hooke_hysteresis_force_row
 #define SETS DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 

@@ -7,8 +7,7 @@
 #ifndef DEM_LAWS_HOOKE_HYSTERESIS_H
 #define DEM_LAWS_HOOKE_HYSTERESIS_H
 
-#include "laws/contact/impact_speed.h"
-#include "laws/row.h"
+#include "laws/contact/impact_spring.h"
 
 struct dem_hooke_hysteresis
 {
@@ -24,16 +23,9 @@ enum
     dem_hooke_hysteresis_columns = 1    /* d_max */
 };
 
-/* before the rows */
-DEM_MATH void dem_hooke_hysteresis_before(const struct dem_hooke_hysteresis *l,
-                                          struct dem_contact_batch *b)
-{
-    dem_impact_stiffness(&l->spring, b);
-}
-
-/* k_n: of dem_hooke_hysteresis_before */
-DEM_MATH void dem_hooke_hysteresis_row(const struct dem_hooke_hysteresis *l,
-                                       struct dem_contact_row *r, double *largest)
+/* The force, k_n being known. */
+DEM_MATH void dem_hooke_hysteresis_force_row(const struct dem_hooke_hysteresis *l,
+                                             struct dem_contact_row *r, double *largest)
 {
     const double slope = 4.0*(1.0 + l->adhesion)/dem_select(l->stiffer > 0.0, l->stiffer, 1.0);
     const double k = r->kn, d = r->overlap, d_lim = l->limit*r->reduced_radius;
@@ -52,6 +44,13 @@ DEM_MATH void dem_hooke_hysteresis_row(const struct dem_hooke_hysteresis *l,
     largest[0] = dem_select(adheres, 0.5*(d + sqrt(d*d + slope*d_lim*d)), max_overlap);
     r->fn += dem_select(adheres, stick, upper);
     r->adhesive_force = -stick;
+}
+
+DEM_MATH void dem_hooke_hysteresis_row(const struct dem_hooke_hysteresis *l,
+                                       struct dem_contact_row *r, double *largest)
+{
+    dem_impact_stiffness_row(&l->spring, r);
+    dem_hooke_hysteresis_force_row(l, r, largest);
 }
 
 #endif

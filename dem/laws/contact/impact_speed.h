@@ -41,6 +41,7 @@
 #define DEM_LAWS_IMPACT_SPEED_H
 
 #include "core/math.h"
+#include "laws/contact/impact_spring.h"
 #include "laws/effect.h"
 
 #include <stdio.h>
@@ -80,13 +81,6 @@ static inline int dem_impact_require_modulus(const char *effect, const struct de
         effect, pair->a->name, pair->b->name, pair->reduced_modulus);
     return DEM_OK;
 }
-
-struct dem_impact_spring    /* a linear spring, given or from the materials */
-{
-    double stiffness;  /* N/m  k; 0: from the materials and the speed */
-    double speed;      /* m/s  v */
-    double scale;      /* K, derived; 0 with a given k */
-};
 
 static inline int dem_impact_prepare(struct dem_impact_spring *spring, const char *effect,
                                      const struct dem_pair_class *pair)
@@ -134,26 +128,25 @@ static inline double dem_impact_time_limit(const struct dem_impact_spring *sprin
     return contact;
 }
 
-/* kn of all rows: k where partners touch, 0 elsewhere. A loop of its own before that of a law: the
-   power of a stiffness that is not given would cost one that is. */
-DEM_MATH void dem_impact_stiffness(const struct dem_impact_spring *spring,
-                                   struct dem_contact_batch *restrict b)
+/* kn of all rows, dem_impact_stiffness of each. A loop of its own before that of a law: the power of
+   a stiffness that is not given would cost one that is. */
+DEM_MATH void dem_impact_stiffnesses(const struct dem_impact_spring *spring,
+                                     struct dem_contact_batch *restrict b)
 {
-    const double stiffness = spring->stiffness, scale = spring->scale;
+    const struct dem_impact_spring s = *spring;
 
-    if (scale > 0.0)
+    if (s.scale > 0.0)
     {
         for (int c = 0; c < b->n; c++)
         {
-            b->kn[c] =
-                b->touching[c]*scale*
-                dem_pow(b->reduced_radius[c]*b->reduced_radius[c]*b->reduced_mass[c], 0.2);
+            b->kn[c] = dem_impact_derived_stiffness(&s, b->touching[c], b->reduced_radius[c],
+                                                    b->reduced_mass[c]);
         }
         return;
     }
     for (int c = 0; c < b->n; c++)
     {
-        b->kn[c] = b->touching[c]*stiffness;
+        b->kn[c] = dem_impact_given_stiffness(&s, b->touching[c]);
     }
 }
 

@@ -17,8 +17,7 @@ struct dem_jkr
 
 enum
 {
-    dem_jkr_columns = 1,    /* 1 while the row adheres */
-    dem_jkr_sets = DEM_SETS_FN | DEM_SETS_STORED | DEM_SETS_LOST
+    dem_jkr_columns = 1    /* 1 while the row adheres */
 };
 
 /* N/m: pi w */

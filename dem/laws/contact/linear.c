@@ -27,8 +27,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
+#include "laws/contact/friction_effect.h"
 #include "laws/contact/linear.h"
 #include "laws/parcels.h"
 

@@ -44,44 +44,29 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/contact/liquid_bridge.h"
 #include "laws/effect.h"
-
-#include "laws/row.h"
 #include <stdio.h>
 
-struct bridge
-{
-    double tension, contact_angle, viscosity, roughness, max_volume, min_volume;
-    int contact;
-    double pull;       /* N/m  2 pi g cos(theta) */
-    double extent;     /* 1    1 + theta/2 */
-    double wall;       /* 1    1 at a wall, else 0 */
-};
-
-enum
-{
-    ACTS,
-    RESTS
-};
 static const char *const contacts[] = {"acts", "rests", NULL};
 
 static const double pi = 3.14159265358979324;
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(bridge, tension, "surfaceTension", "N/m", DEM_SETTING_REQUIRED, 0.0, INFINITY,
-                   "of the liquid; water in air: 0.072"),
-    DEM_SETTING_AS(bridge, contact_angle, "contactAngle", "degree", 0.0, 0.0, 60.0,
+    DEM_SETTING_AS(dem_liquid_bridge, tension, "surfaceTension", "N/m", DEM_SETTING_REQUIRED, 0.0,
+                   INFINITY, "of the liquid; water in air: 0.072"),
+    DEM_SETTING_AS(dem_liquid_bridge, contact_angle, "contactAngle", "degree", 0.0, 0.0, 60.0,
                    "between liquid and solid; the rupture distance is fitted up to 60 degrees"),
-    DEM_SETTING(bridge, viscosity, "Pa s", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_liquid_bridge, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the liquid; 0: no viscous force"),
-    DEM_SETTING(bridge, roughness, "m", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_liquid_bridge, roughness, "m", 0.0, 0.0, INFINITY,
                 "height of the asperities: the thinnest film; viscosity needs it"),
-    DEM_SETTING_AS(bridge, max_volume, "maxVolume", "1", 0.05, DEM_ABOVE_ZERO, 0.1,
+    DEM_SETTING_AS(dem_liquid_bridge, max_volume, "maxVolume", "1", 0.05, DEM_ABOVE_ZERO, 0.1,
                    "largest volume of a bridge over R^3 of the smaller particle; a larger one "
                    "widens the pair search"),
-    DEM_SETTING_AS(bridge, min_volume, "minVolume", "m3", 0.0, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_liquid_bridge, min_volume, "minVolume", "m3", 0.0, 0.0, INFINITY,
                    "smaller bridges do not form"),
-    DEM_SETTING_CHOICE(bridge, contact, "contact", RESTS, contacts,
+    DEM_SETTING_CHOICE(dem_liquid_bridge, contact, "contact", DEM_LIQUID_BRIDGE_RESTS, contacts,
                        "whether the viscous force acts while surfaces touch"),
     {0},
 };
@@ -102,7 +87,7 @@ static const struct dem_scalar *const scalars[] = {&liquid, NULL};
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct bridge *const l = of;
+    struct dem_liquid_bridge *const l = of;
     const double angle = l->contact_angle*(pi/180.0);
 
     DEM_REQUIRE(l->viscosity == 0.0 || l->roughness > 0.0, DEM_ERROR_INPUT,
@@ -118,156 +103,35 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 /* Rupture distance of the largest bridge. */
 static double reach(const void *of, const struct dem_pair_class *pair)
 {
-    const struct bridge *const l = of;
+    const struct dem_liquid_bridge *const l = of;
     const double R = pair->with_wall ? pair->max_radius_sum : 0.5*pair->max_radius_sum;
 
     return l->extent*cbrt(l->max_volume)*R;
 }
 
-/* kg/s: of slip, over 6 pi mu R* */
-DEM_MATH double slip_factor(double R, double h)
-{
-    return 8.0/15.0*dem_log(R/h) + 0.9588;
-}
-
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const struct bridge *const l = of;
+    const struct dem_liquid_bridge *const l = of;
     const double R = pair->min_radius, c = 6.0*pi*l->viscosity*R;
 
     *why = "0.2 of the time in which the thinnest film stops a particle (liquidBridge)";
     return c > 0.0 ? 0.2*pair->min_mass/
-                         (c*fmax(R/l->roughness, 3.5*slip_factor(R, l->roughness)))
+                         (c*fmax(R/l->roughness, 3.5*dem_liquid_bridge_slip(R, l->roughness)))
                    : DBL_MAX;
 }
 
-/* ---- the force ------------------------------------------------------------------------------- */
-
-struct capillary
-{
-    double force;     /* N  attraction */
-    double energy;    /* J  potential, up to a constant */
-};
-
-/* At a gap, of a bridge with pull = 2 pi R g cos(theta) [N] and square = 2 V/(pi R) [m2]. */
-DEM_MATH struct capillary capillary_at(double gap, double pull, double square)
-{
-    const double H = dem_select(gap > 0.0, gap, 0.0), overlap = H - gap,
-                 root = sqrt(H*H + square);
-
-    return (struct capillary){
-        .force = pull*(1.0 - H/dem_select(root > 0.0, root, 1.0)),
-        .energy = pull*(H - root - overlap),
-    };
-}
-
-/* Both dampers, on forces and loss; `holds`: 1 for a bridge. */
-DEM_MATH void viscous_row(const struct bridge *l, struct dem_contact_row *r, double holds,
-                          double square)
-{
-    const double lowest = dem_select(l->contact == RESTS, 0.0, -INFINITY);
-    const double R = r->reduced_radius, m = r->reduced_mass, vn = r->vn;
-    const double acts = dem_select((l->viscosity > 0.0) & (r->gap > lowest), holds, 0.0);
-    const double thin = dem_select(r->gap > l->roughness, r->gap, l->roughness),
-                 h = dem_select(acts > 0.0, thin, 1.0),
-                 X = 1.0 - h/sqrt(h*h + square), scale = acts*6.0*pi*l->viscosity*R;
-    const double squeeze = scale*R*X*X/h,
-                 drag = scale*slip_factor(dem_select(acts > 0.0, R, 1.0), h);
-    const double limit = m/(4.0*r->max_dt), slip_limit = 2.0/7.0*limit;
-    const double cn = dem_select(squeeze < limit, squeeze, limit),
-                 ct = dem_select(drag < slip_limit, drag, slip_limit);
-    const double some_m = dem_select(m > 0.0, m, 1.0),
-                 slip = r->sx*r->sx + r->sy*r->sy + r->sz*r->sz;
-
-    r->fn -= cn*vn;
-    r->fx -= ct*r->sx;
-    r->fy -= ct*r->sy;
-    r->fz -= ct*r->sz;
-    /* exact for an isolated pair */
-    r->lost += cn*vn*vn*r->dt*(1.0 - 0.5*cn*r->dt/some_m)
-               + ct*slip*r->dt*(1.0 - 1.75*ct*r->dt/some_m);
-}
-
-/* `offered`: what a bridge that forms takes [m3]; volume: of the bridge, history. */
-DEM_MATH void row(const struct bridge *l, struct dem_contact_row *r, double offered, double *volume)
-{
-    const double R = 2.0*r->reduced_radius, pull = l->pull*R, third = 1.0/3.0;
-    const double before = dem_select(volume[0] > 0.0, volume[0], 0.0);
-    const double dry = dem_select(before > 0.0, 0.0, r->touching);
-    /* in the first evaluation, dt = 0, no liquid can be exchanged */
-    const double taken = dem_select((dry > 0.0) & (offered > l->min_volume) & (r->is_primary > 0.0)
-                                    & (r->dt > 0.0), offered, 0.0);
-    const double V = before + taken, rupture = l->extent*dem_pow(V, third),
-                 square = 2.0*V/(pi*dem_select(R > 0.0, R, 1.0));
-    const double within = dem_select((r->gap < rupture) & (r->is_primary > 0.0), 1.0, 0.0),
-                 still = dem_select(r->dt > 0.0, within, 1.0),
-                 holds = dem_select(V > 0.0, still, 0.0);
-
-    const struct capillary now = capillary_at(r->gap, pull, square),
-                           was = capillary_at(r->gap - r->dt*r->distance_rate, pull, square),
-                           torn = capillary_at(rupture, pull, square);
-    const double held = dem_select(before > 0.0, 1.0, 0.0), half_way = 0.5*r->dt*r->distance_rate;
-
-    r->fn -= holds*now.force;
-    r->stored += holds*(now.energy - torn.energy);
-    /* the force jumps at the end of the drift, and has done half of its work, or missed half */
-    r->lost += dem_select(holds > held, half_way*now.force - (now.energy - torn.energy),
-                          dem_select(holds < held, half_way*was.force + was.energy - torn.energy,
-                                     0.0));
-    viscous_row(l, r, holds, square);
-    volume[0] = holds*V;
-}
-
-/* ---- the liquid ------------------------------------------------------------------------------ */
-
-/* 1: fraction of a sphere's surface that faces a partner */
-DEM_MATH double facing(double own, double other)
-{
-    const double sum = own + other, sine = other/dem_select(sum > 0.0, sum, 1.0);
-
-    return 0.5*(1.0 - sqrt(1.0 - sine*sine));
-}
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct bridge l = *(const struct bridge *)of;
-    const struct dem_scalar_rows film = b->scalars[0];
-    const double inverse_dt = dem_contact_batch_inverse_dt(b);
-    double *const volume = history[0];
-
-    DEM_INDEPENDENT_ROWS
-    for (int c = 0; c < b->n; c++)
-    {
-        struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);
-        const double before = dem_select(volume[c] > 0.0, volume[c], 0.0);
-        const double of_i = facing(film.radius_i[c], film.radius_j[c])*film.i[c],
-                     of_j = (1.0 - l.wall)*facing(film.radius_j[c], film.radius_i[c])*film.j[c];
-        const double limit = l.max_volume*r.min_radius*r.min_radius*r.min_radius, sum = of_i + of_j,
-                     offered = dem_select(sum < limit, sum, limit),
-                     part = offered/dem_select(sum > 0.0, sum, 1.0);
-        double after = volume[c];
-
-        row(&l, &r, offered, &after);
-
-        /* formed: each gives its part; broken: each gets half, a particle at a wall all */
-        const double formed = dem_select((before == 0.0) & (after > 0.0), inverse_dt, 0.0),
-                     broken = dem_select((before > 0.0) & (after == 0.0), before*inverse_dt, 0.0);
-
-        film.rate_i[c] += 0.5*(1.0 + l.wall)*broken - formed*part*of_i;
-        film.rate_j[c] += 0.5*(1.0 - l.wall)*broken - formed*part*of_j;
-        volume[c] = after;
-        dem_contact_row_store(
-            &r, DEM_SETS_FN | DEM_SETS_FORCE | DEM_SETS_STORED | DEM_SETS_LOST, b, c);
-    }
-}
+#define LAW dem_liquid_bridge
+#define SCALARS 1
+#define SETS DEM_SETS_FN | DEM_SETS_FORCE | DEM_SETS_STORED | DEM_SETS_LOST | DEM_SETS_RATE | \
+    DEM_READS_RADII
+#include "laws/contact_loop.h"
 
 /* ---- for `dem plan` -------------------------------------------------------------------------- */
 
 /* N: at contact, 2 pi R g cos(theta), R = 2 R* */
 static double pull_off(const void *of, const struct dem_regime *g)
 {
-    const struct bridge *const l = of;
+    const struct dem_liquid_bridge *const l = of;
 
     return 4.0*pi*g->radius*l->tension*cos(l->contact_angle*(pi/180.0));
 }
@@ -306,7 +170,7 @@ const struct dem_effect dem_liquid_bridge = {
     .needs = DEM_NEEDS_RADII,
     .excludes = "jkr sjkr lubrication stokesDamping",
     .example = "surfaceTension 0.072;",
-    .size = sizeof(struct bridge),
+    .size = sizeof(struct dem_liquid_bridge),
     .settings = settings,
     .history = history_names,
     .scalars = scalars,

@@ -40,48 +40,31 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/contact/film_loss.h"
+#include "laws/contact/lubrication.h"
 #include "laws/effect.h"
 
-#include "laws/contact/film_loss.h"
-
-#include "laws/row.h"
-
-struct lubrication
-{
-    double viscosity;
-    double roughness;
-    double cut_off;
-    int contact;
-};
-
-enum
-{
-    ACTS,
-    RESTS
-};
 static const char *const contacts[] = {"acts", "rests", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(lubrication, viscosity, "Pa s", 0.0, 0.0, INFINITY,
+    DEM_SETTING(dem_lubrication, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the fluid in the gap; 0: of the run's fluid"),
-    DEM_SETTING(lubrication, roughness, "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
+    DEM_SETTING(dem_lubrication, roughness, "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
                 "height of the asperities: the thinnest film"),
-    DEM_SETTING_AS(lubrication, cut_off, "cutOff", "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO,
+    DEM_SETTING_AS(dem_lubrication, cut_off, "cutOff", "m", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO,
                    INFINITY,
                    "gap beyond which the force is zero; much smaller than the radius, much "
                    "larger than roughness"),
     DEM_SETTING_CHOICE(
-        lubrication, contact, "contact", RESTS, contacts,
+        dem_lubrication, contact, "contact", DEM_LUBRICATION_RESTS, contacts,
         "whether the film acts while surfaces touch; it then stops particles that are softer "
         "than real"),
     {0},
 };
 
-static const double six_pi = 18.8495559215387594;
-
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    const struct lubrication *film = of;
+    const struct dem_lubrication *film = of;
 
     DEM_REQUIRE(
         film->cut_off > film->roughness, DEM_ERROR_INPUT,
@@ -94,42 +77,20 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 static double reach(const void *of, const struct dem_pair_class *pair)
 {
     (void)pair;
-    return ((const struct lubrication *)of)->cut_off;
+    return ((const struct dem_lubrication *)of)->cut_off;
 }
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const struct lubrication *film = of;
-    const double R = pair->min_radius, c = six_pi*film->viscosity*R*R*
-                                           (1.0/film->roughness - 1.0/film->cut_off);
+    const struct dem_lubrication *film = of;
+    const double over_thickness = 1.0/film->roughness - 1.0/film->cut_off,
+                 c = dem_lubrication_damping(film->viscosity, pair->min_radius, over_thickness);
 
     *why = "0.2 of the time in which the thinnest film stops a particle (lubrication)";
     return c > 0.0 ? 0.2*pair->min_mass/c : DBL_MAX;
 }
 
-DEM_MATH void row(const struct lubrication *l, struct dem_contact_row *r, double *history)
-{
-    /* m  gap below which it does not act */
-    const double lowest = dem_select(l->contact == RESTS, 0.0, -INFINITY);
-    const double min_gap = l->roughness, max_gap = l->cut_off;
-    const double R = r->reduced_radius, m = r->reduced_mass, vn = r->vn;
-    const double mu = dem_select(r->gap > lowest,
-                                 dem_select(l->viscosity > 0.0, l->viscosity, r->viscosity), 0.0);
-    const double h = dem_select(r->gap > min_gap, r->gap, min_gap);
-    const double thin = dem_select(h < max_gap, 1.0/h - 1.0/max_gap, 0.0);
-    const double film = r->is_primary*(six_pi*mu*R*R*thin);
-    const double limit = m/(4.0*r->max_dt);
-    const double damper = dem_select(film < limit, film, limit);
-
-    (void)history;
-    r->fn -= damper*vn;
-    /* exact for an isolated pair */
-    r->lost += damper*vn*r->dt*(vn - 0.5*damper*vn*r->dt/dem_select(m > 0.0, m, 1.0));
-}
-
-#define LAW lubrication
-#define ROW row
-#define COLUMNS 0
+#define LAW dem_lubrication
 #define SETS DEM_SETS_FN | DEM_SETS_LOST
 #include "laws/contact_loop.h"
 
@@ -147,7 +108,7 @@ const struct dem_effect dem_lubrication = {
     .needs = DEM_NEEDS_VISCOSITY,
     .excludes = "stokesDamping",
     .example = "roughness 1e-6; cutOff 5e-5;",
-    .size = sizeof(struct lubrication),
+    .size = sizeof(struct dem_lubrication),
     .settings = settings,
     .prepare = prepare,
     .reach = reach,

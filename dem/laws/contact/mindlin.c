@@ -38,8 +38,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
+#include "laws/contact/friction_effect.h"
 #include "laws/contact/mindlin.h"
 
 static const struct dem_setting settings[] = {

@@ -8,7 +8,6 @@
 #define DEM_LAWS_MINDLIN_H
 
 #include "laws/contact/friction.h"
-#include <math.h>
 
 struct dem_mindlin
 {
@@ -21,13 +20,15 @@ enum
     dem_mindlin_columns = 3
 };
 
-/* 8 G* of a class [Pa], for the law of this name; an error without a normal law or shear moduli. */
-int dem_mindlin_modulus(const char *law, const struct dem_pair_class *, double *modulus);
+/* k_t [N/m]; modulus: 8 G* */
+DEM_MATH double dem_mindlin_kt(double modulus, const struct dem_contact_row *r)
+{
+    return modulus*sqrt(r->reduced_radius*r->overlap);
+}
 
-/* k_t [N/m] */
 DEM_MATH double dem_mindlin_stiffness(const struct dem_mindlin *l, const struct dem_contact_row *r)
 {
-    return l->modulus*sqrt(r->reduced_radius*r->overlap);
+    return dem_mindlin_kt(l->modulus, r);
 }
 
 DEM_MATH void dem_mindlin_row(const struct dem_mindlin *l, struct dem_contact_row *r, double *xi)

@@ -28,13 +28,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
-#include "laws/contact/mindlin.h"
+#include "laws/contact/friction_effect.h"
+#include "laws/contact/mindlin_incremental.h"
 
 static const struct dem_setting settings[] = {
-    DEM_FRICTION_SETTING(dem_mindlin),
-    DEM_FRICTION_SWITCHES(dem_mindlin),
+    DEM_FRICTION_SETTING(dem_mindlin_incremental),
+    DEM_FRICTION_SWITCHES(dem_mindlin_incremental),
     {0},
 };
 
@@ -43,26 +42,11 @@ static const char *const history_names[] = {"stretch_x", "stretch_y", "stretch_z
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    return dem_mindlin_modulus("mindlinIncremental", pair, &((struct dem_mindlin *)of)->modulus);
+    return dem_mindlin_modulus("mindlinIncremental", pair,
+                               &((struct dem_mindlin_incremental *)of)->modulus);
 }
 
-DEM_MATH void incremental_row(const struct dem_mindlin *l, struct dem_contact_row *r, double *h)
-{
-    r->kt = dem_mindlin_stiffness(l, r);
-
-    const double keep = dem_friction_keep(h[3], r->kt);
-    double xi[3] = {keep*h[0], keep*h[1], keep*h[2]};
-
-    dem_friction_row(&l->common, r, xi);
-    h[0] = xi[0];
-    h[1] = xi[1];
-    h[2] = xi[2];
-    h[3] = r->kt;
-}
-
-#define LAW dem_mindlin
-#define ROW incremental_row
-#define COLUMNS 4
+#define LAW dem_mindlin_incremental
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 
@@ -87,7 +71,7 @@ const struct dem_effect dem_mindlin_incremental = {
     .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_NORMAL_SPIN,
     .example = "friction 0.1;",
-    .size = sizeof(struct dem_mindlin),
+    .size = sizeof(struct dem_mindlin_incremental),
     .settings = settings,
     .history = history_names,
     .clears_history = 1,

@@ -23,22 +23,9 @@
 #ifndef DEM_LAWS_RESTITUTION_H
 #define DEM_LAWS_RESTITUTION_H
 
-#include "core/math.h"
 #include "laws/row.h"
 
 #define DEM_RESTITUTION_PI2 9.86960440108935862           /* pi^2 */
-
-/* sqrt(2 (p + 1)): alpha at critical damping */
-static inline double dem_restitution_critical(double exponent)
-{
-    return sqrt(2.0*(exponent + 1.0));
-}
-
-/* -ln e; 1e9 for e = 0: from there on L/sqrt(pi^2 + L^2) is 1 in double precision */
-static inline double dem_restitution_loss(double e)
-{
-    return e > 0.0 ? 0.0 - dem_log(e) : 1e9;
-}
 
 /* ---- attraction at the end of a contact: the dashpot pulls harder than the spring repels --------- */
 
@@ -48,7 +35,6 @@ enum    /* lower limit of the normal force */
     DEM_ATTRACTION_CLAMPED,    /* 0 where the spring repels, none where it attracts */
     DEM_ATTRACTION_NONE        /* 0; no adhesive force counts in the friction limit either */
 };
-static const char *const dem_attractions[] = {"allowed", "clamped", "none", NULL};
 
 /* The damping force joins the spring force of the row. With DEM_ATTRACTION_NONE the force is
    max(F, 0), eq. (10) of Open DEM Japan, Hooke/Hysteresis normal contact model (in Japanese, 2025).
@@ -82,23 +68,6 @@ DEM_MATH void dem_centred_dashpot_row(struct dem_contact_row *r, double eta, int
                  a = dem_select(mass > 0.0, 0.5*r->dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
 
     dem_damping_row(r, eta, eta*(r->vn + a*r->fn)/(1.0 + a*eta), attraction);
-}
-
-/* ---- energy ------------------------------------------------------------------------------------------------------ */
-
-/* J: dissipated by the dashpot: its force, clamped or not, times the velocity in the middle of
-   the kick, as far as this contact alone changes it: eta v_n (v_n + F_n dt/2 m*) dt. With v_n
-   before the kick instead, an impact with e = 0.9 and 20 steps would count 0.5 % too much. */
-static inline void dem_restitution_energy(const struct dem_contact_batch *b,
-                                          struct dem_energy *restrict e)
-{
-    for (int c = 0; c < b->n; c++)
-    {
-        const double mass = b->reduced_mass[c],
-                       gain = dem_select(mass > 0, b->dt/2/dem_select(mass > 0, mass, 1), 0);
-
-        e->lost[c] = -b->touching[c]*e->normal_force[c]*(b->vn[c] + gain*b->fn[c])*b->dt;
-    }
 }
 
 #endif

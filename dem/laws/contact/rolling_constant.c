@@ -23,9 +23,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
 #include "laws/contact/rolling_constant.h"
+#include "laws/contact/rolling_effect.h"
+#include "laws/effect.h"
 
 static const struct dem_setting settings[] = {
     DEM_SETTING(dem_rolling_constant, friction, "1", DEM_SETTING_REQUIRED, 0.0, 10.0,

@@ -42,27 +42,21 @@ DEM_MATH struct dem_slider dem_rolling_slider(const struct dem_rolling_spring *l
                                .xi_z = theta[2]};
 }
 
+/* The moment of a slider into the row. */
+DEM_MATH void dem_rolling_spring_add(const struct dem_slider *s, struct dem_contact_row *r)
+{
+    r->mx += s->fx;
+    r->my += s->fy;
+    r->mz += s->fz;
+}
+
 DEM_MATH void dem_rolling_spring_row(const struct dem_rolling_spring *l, struct dem_contact_row *r,
                                      double *theta)
 {
-    dem_slider_row(r, dem_rolling_slider(l, r, theta), (double *[3]){&r->mx, &r->my, &r->mz},
-                   theta);
-}
+    const struct dem_slider s = dem_slider_step(r, dem_rolling_slider(l, r, theta));
 
-/* in two parts, for fused kernels */
-DEM_MATH void dem_rolling_spring_begin(const struct dem_rolling_spring *l,
-                                       struct dem_contact_row *r, struct dem_slider_columns *t,
-                                       int c, double *theta)
-{
-    dem_slider_begin(r, dem_rolling_slider(l, r, theta), t, c, theta);
-}
-
-#define dem_rolling_spring_limit dem_slider_limit_forces
-
-DEM_MATH void dem_rolling_spring_end(const struct dem_slider_columns *t, int c,
-                                     struct dem_contact_row *r, double *theta)
-{
-    dem_slider_end(t, c, (double *[3]){&r->mx, &r->my, &r->mz}, theta);
+    dem_slider_keep(&s, theta);
+    dem_rolling_spring_add(&s, r);
 }
 
 #endif

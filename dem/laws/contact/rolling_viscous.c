@@ -22,18 +22,13 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/contact/rolling_effect.h"
+#include "laws/contact/rolling_viscous.h"
 #include "laws/effect.h"
-
-#include "laws/contact/rolling.h"
 #include "laws/parcels.h"
 
-struct rolling_viscous
-{
-    double time;
-};
-
 static const struct dem_setting settings[] = {
-    DEM_SETTING(rolling_viscous, time, "s", DEM_SETTING_REQUIRED, 0.0, INFINITY,
+    DEM_SETTING(dem_rolling_viscous, time, "s", DEM_SETTING_REQUIRED, 0.0, INFINITY,
               "A: torque over F_n R* and relative spin"),
     {0},
 };
@@ -45,26 +40,10 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "hertz for "
                 "example", pair->a->name, pair->b->name);
     return dem_parcels_scale(pair, "rollingViscous", "time", 1,
-                             &((struct rolling_viscous *)of)->time);
+                             &((struct dem_rolling_viscous *)of)->time);
 }
 
-DEM_MATH void row(const struct rolling_viscous *l, struct dem_contact_row *r, double *history)
-{
-    const double hx = r->hx, hy = r->hy, hz = r->hz, R = r->reduced_radius;
-    const double twist = r->wx*hx + r->wy*hy + r->wz*hz;
-    const double viscous = dem_select(r->fn > 0.0, l->time*R*r->fn, 0.0);
-    const double max_drag = dem_rolling_max_drag(r);
-    const double drag = dem_select(viscous < max_drag, viscous, max_drag);    /* N m s */
-
-    (void)history;
-    r->mx -= drag*(r->wx - twist*hx);
-    r->my -= drag*(r->wy - twist*hy);
-    r->mz -= drag*(r->wz - twist*hz);
-}
-
-#define LAW rolling_viscous
-#define ROW row
-#define COLUMNS 0
+#define LAW dem_rolling_viscous
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 
@@ -79,7 +58,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 /* In use: A v/(R mu), fraction of the largest moment of friction on a sphere that rolls at v. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
-    const double time = of ? ((const struct rolling_viscous *)of)->time : 0.0;
+    const double time = of ? ((const struct dem_rolling_viscous *)of)->time : 0.0;
 
     v->fraction = g->friction > 0.0 ? time*g->speed/(2.0*g->radius*g->friction) : 0.0;
     v->quantity = "of the moment of friction resists rolling (Brilliantov and Poeschel 1998)";
@@ -96,7 +75,7 @@ const struct dem_effect dem_rolling_viscous = {
     .parcels = DEM_PARCELS_SETTINGS,
     .needs = DEM_NEEDS_SPIN,
     .example = "time 1e-3;",
-    .size = sizeof(struct rolling_viscous),
+    .size = sizeof(struct dem_rolling_viscous),
     .settings = settings,
     .prepare = prepare,
     .apply = apply,

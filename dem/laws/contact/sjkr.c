@@ -18,32 +18,16 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/contact/sjkr.h"
 #include "laws/effect.h"
 
-#include "laws/row.h"
-
-struct sjkr
-{
-    double density;
-};
-
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(sjkr, density, "energyDensity", "J/m3", DEM_SETTING_REQUIRED, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_sjkr, density, "energyDensity", "J/m3", DEM_SETTING_REQUIRED, 0.0, INFINITY,
                    "attraction per area of contact"),
     {0},
 };
 
-DEM_MATH void row(const struct sjkr *l, struct dem_contact_row *r, double *history)
-{
-    const double scale = 6.28318530717958648*l->density;
-
-    (void)history;
-    r->fn -= scale*r->reduced_radius*dem_select(r->bond_replaces > 0.0, 0.0, r->overlap);
-}
-
-#define LAW sjkr
-#define ROW row
-#define COLUMNS 0
+#define LAW dem_sjkr
 #define SETS DEM_SETS_FN
 #include "laws/contact_loop.h"
 
@@ -51,7 +35,7 @@ DEM_MATH void row(const struct sjkr *l, struct dem_contact_row *r, double *histo
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const double scale = 6.28318530717958648*((const struct sjkr *)of)->density;
+    const double scale = 6.28318530717958648*((const struct dem_sjkr *)of)->density;
 
     (void)before, (void)history;
     for (int c = 0; c < b->n; c++)
@@ -68,7 +52,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
    F = 4/3 E* sqrt(R*) d^(3/2) - 2 pi w R* d. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
-    const double pi = 3.14159265358979324, w = of ? ((const struct sjkr *)of)->density : 0.0;
+    const double pi = 3.14159265358979324, w = of ? ((const struct dem_sjkr *)of)->density : 0.0;
     const double pull = 2.0/3.0*(pi*w)*(pi*w)*(pi*w)*g->radius*g->radius/(g->modulus*g->modulus);
     const double impact = g->overlap > 0.0 ? 1.5*pi*w/(g->modulus*sqrt(g->overlap)) : 0.0;
 
@@ -92,7 +76,7 @@ const struct dem_effect dem_sjkr = {
     .stage = DEM_STAGE_FILM,
     .parcels = DEM_PARCELS_SAME,
     .example = "energyDensity 1e3;",
-    .size = sizeof(struct sjkr),
+    .size = sizeof(struct dem_sjkr),
     .settings = settings,
     .apply = apply,
     .energy = energy,

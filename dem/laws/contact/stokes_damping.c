@@ -47,10 +47,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
 #include "laws/contact/film_loss.h"
+#include "laws/contact/restitution_effect.h"
 #include "laws/contact/stokes_damping.h"
+#include "laws/effect.h"
 #include "laws/parcels.h"
 #include <stdio.h>
 

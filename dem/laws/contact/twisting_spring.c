@@ -32,32 +32,18 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/contact/twisting_spring.h"
 #include "laws/effect.h"
 
-#include "laws/contact/slider.h"
-
-struct twisting_spring
-{
-    double friction;
-    int lever;
-    double damping;
-    double ratio;                                         /* 1    k_w per k_n a^2, derived */
-};
-
-enum
-{
-    CONTACT,
-    REDUCED
-};
 static const char *const levers[] = {"contact", "reduced", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(twisting_spring, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
+    DEM_SETTING(dem_twisting_spring, friction, "1", DEM_SETTING_REQUIRED, 0.0, 100.0,
               "mu: coefficient of friction"),
-    DEM_SETTING_CHOICE(twisting_spring, lever, "lever", CONTACT, levers,
+    DEM_SETTING_CHOICE(dem_twisting_spring, lever, "lever", DEM_TWISTING_CONTACT, levers,
                      "largest moment over mu F_n: 3 pi/16 of the contact radius, or the reduced "
                      "radius"),
-    DEM_SETTING(twisting_spring, damping, "1", 0.0, 0.0, 1.0,
+    DEM_SETTING(dem_twisting_spring, damping, "1", 0.0, 0.0, 1.0,
               "zeta: damping ratio of a sphere on a plane in torsional oscillation, 1 is critical"),
     {0},
 };
@@ -77,40 +63,12 @@ static int prepare(void *of, const struct dem_pair_class *pair)
                 "twistingSpring between %s and %s: there is no normal law; add one to the effects, "
                 "hertz for "
                 "example", pair->a->name, pair->b->name);
-    ((struct twisting_spring *)of)->ratio =
+    ((struct dem_twisting_spring *)of)->ratio =
         4.0*torsion_modulus(pair->a, pair->b)/pair->reduced_modulus;
     return DEM_OK;
 }
 
-DEM_MATH void row(const struct twisting_spring *l, struct dem_contact_row *r, double *twist)
-{
-    /* 3 pi/16 */
-    const double by_contact = dem_select(l->lever == CONTACT, 0.58904862254808623, 0.0);
-    const double by_radius = dem_select(l->lever == REDUCED, 1.0, 0.0);
-    const double R = r->reduced_radius, a2 = R*r->overlap;
-    const double lever = by_contact*sqrt(a2) + by_radius*R;
-    const double stiffness = l->ratio*r->kn*a2;
-    const double damping = 2.0*l->damping*R*sqrt(0.4*r->reduced_mass*stiffness);
-    const double rate = r->wx*r->hx + r->wy*r->hy + r->wz*r->hz;
-
-    /* sticks or slips, as in slider.h */
-    const double angle = twist[0] + r->dt*rate;
-    const double trial = -stiffness*angle - damping*rate, size = fabs(trial);
-    const double limit = dem_select(r->fn > 0.0, l->friction*lever*r->fn, 0.0);
-    const double moment =
-        dem_select(size < limit, 1.0, limit/dem_select(size > 0.0, size, 1.0))*trial;
-    const double effective = stiffness + damping*r->inverse_dt;
-    const double slipped = (moment - trial)/dem_select(effective > 0.0, effective, 1.0);
-
-    twist[0] = dem_select(limit > 0.0, dem_select(size < limit, angle, angle - slipped), 0.0);
-    r->mx += moment*r->nx;
-    r->my += moment*r->ny;
-    r->mz += moment*r->nz;
-}
-
-#define LAW twisting_spring
-#define ROW row
-#define COLUMNS 1
+#define LAW dem_twisting_spring
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 
@@ -118,7 +76,7 @@ DEM_MATH void row(const struct twisting_spring *l, struct dem_contact_row *r, do
 static void energy(const void *of, const struct dem_contact_batch *restrict b,
                    double *const *before, double *const *history, struct dem_energy *restrict e)
 {
-    const struct twisting_spring *twisting = of;
+    const struct dem_twisting_spring *twisting = of;
     const double *const from = before[0], *const to = history[0],
                           inverse_dt = dem_contact_batch_inverse_dt(b);
 
@@ -145,14 +103,14 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
    impact, or mu_t/mu. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
-    const struct twisting_spring *const twisting = of;
+    const struct dem_twisting_spring *const twisting = of;
 
     if (!twisting)
     {
         return 0;
     }
     v->fraction =
-        (twisting->lever == REDUCED ? 1.0 : 3.0*3.14159265358979324/16.0*sqrt(g->overlap))*
+        (twisting->lever == DEM_TWISTING_REDUCED ? 1.0 : 3.0*3.14159265358979324/16.0*sqrt(g->overlap))*
         twisting->friction /(g->friction > 0.0 ? g->friction : 1.0);
     v->quantity = "of the moment of friction resists twisting (Marshall 2009)";
     return 1;
@@ -167,7 +125,7 @@ const struct dem_effect dem_twisting_spring = {
     .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_SPIN,
     .example = "friction 0.1;",
-    .size = sizeof(struct twisting_spring),
+    .size = sizeof(struct dem_twisting_spring),
     .settings = settings,
     .history = history_names,
     .prepare = prepare,

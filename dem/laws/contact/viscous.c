@@ -20,9 +20,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/effect.h"
-
+#include "laws/contact/restitution_effect.h"
 #include "laws/contact/viscous.h"
+#include "laws/effect.h"
 #include "laws/parcels.h"
 
 static const struct dem_setting settings[] = {

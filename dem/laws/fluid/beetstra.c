@@ -30,64 +30,35 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/beetstra.h"
 
-#include "laws/fluid/drag.h"
-
-struct beetstra
-{
-    double mean_diameter;
-    int mean;
-};
-
-enum
-{
-    GIVEN,
-    AROUND
-};
 static const char *const means[] = {"given", "around", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(beetstra, mean_diameter, "meanDiameter", "m", 0.0, 0.0, INFINITY,
+    DEM_SETTING_AS(dem_beetstra, mean_diameter, "meanDiameter", "m", 0.0, 0.0, INFINITY,
                  "Sauter mean of the mixture, sum d^3/sum d^2; 0: the particle's own diameter"),
-    DEM_SETTING_CHOICE(beetstra, mean, "mean", GIVEN, means,
+    DEM_SETTING_CHOICE(dem_beetstra, mean, "mean", DEM_BEETSTRA_GIVEN, means,
                      "meanDiameter, or the Sauter mean of the surrounding particles"),
     {0},
 };
 
-/* F: creeping, then inertial part */
-DEM_MATH double normalised(double e, double re)
-{
-    const double s = 1.0 - e, half = 0.5*(1.0 + 4.0*s), power = dem_pow(re, half);
-    const double ten_to_3s = dem_exp(6.90775527898213705*s);    /* 10^(3 s): 3 ln 10 */
-    const double creeping = 10.0*s/(e*e) + e*e*(1.0 + 1.5*sqrt(s));
-    const double above = (1.0/e + 3.0*e*s)*re + 8.4*dem_pow(re, 0.657);
-
-    return creeping + 0.413/(24.0*e*e)*above*(power/(power + ten_to_3s));
-}
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    const struct beetstra *const own = r->settings;
-    const double mean =
-        dem_select(own->mean == AROUND, r->mean_diameter, own->mean_diameter);
-    const double y = dem_select(mean > 0.0, r->diameter/dem_select(mean > 0.0, mean, 1.0), 1.0);
-
-    return y*r->e*normalised(r->e, r->re/dem_select(y > 0.0, y, 1.0));
-}
-
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_beetstra
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 static unsigned extra_needs(const void *of)
 {
-    return ((const struct beetstra *)of)->mean == AROUND ? DEM_NEEDS_MEAN_DIAMETER : 0;
+    const struct dem_beetstra *const own = of;
+
+    return own->mean == DEM_BEETSTRA_AROUND ? DEM_NEEDS_MEAN_DIAMETER : 0;
 }
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    const struct beetstra *const own = of;
+    const struct dem_beetstra *const own = of;
 
     (void)pair;
-    DEM_REQUIRE(own->mean == GIVEN || own->mean_diameter == 0.0, DEM_ERROR_INPUT,
+    DEM_REQUIRE(own->mean == DEM_BEETSTRA_GIVEN || own->mean_diameter == 0.0, DEM_ERROR_INPUT,
                 "beetstra: meanDiameter %g m and mean around exclude each other; give one of "
                 "them", own->mean_diameter);
     return DEM_OK;
@@ -103,7 +74,7 @@ const struct dem_effect dem_beetstra = {
     .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
-    .size = sizeof(struct beetstra),
+    .size = sizeof(struct dem_beetstra),
     .settings = settings,
     .extra_needs = extra_needs,
     .prepare = prepare,

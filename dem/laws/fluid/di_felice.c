@@ -19,17 +19,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/di_felice.h"
 
-#include "laws/fluid/drag.h"
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    const double chi = 3.7 - 0.65*dem_drag_transition(r->re);
-
-    return dem_drag_dallavalle(r->re)*dem_pow(r->e, 1.0 - chi);
-}
-
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_di_felice
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_di_felice = {
     .name = "diFelice",

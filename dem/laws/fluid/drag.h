@@ -24,8 +24,7 @@
 #ifndef DEM_LAWS_DRAG_H
 #define DEM_LAWS_DRAG_H
 
-#include "core/math.h"
-#include "laws/batch.h"
+#include "laws/row.h"
 
 /* e, limited to 0.2 .. 1: values outside result from smoothing and round-off */
 DEM_MATH double dem_drag_void_fraction(double void_fraction)
@@ -35,17 +34,26 @@ DEM_MATH double dem_drag_void_fraction(double void_fraction)
     return dem_select(e > 1.0, 1.0, e);
 }
 
-/* Re; 0 where the viscosity is 0 */
-DEM_MATH double dem_drag_reynolds(const struct dem_body_batch *b, int c, double e)
+/* Re of a row, 0 where the viscosity is 0; e: void fraction, 1: Re of a single sphere */
+DEM_MATH double dem_drag_reynolds(const struct dem_body_row *r, double e)
 {
-    const double x = b->ux[c] - b->vx[c], y = b->uy[c] - b->vy[c], z = b->uz[c] - b->vz[c];
+    const double x = r->ux - r->vx, y = r->uy - r->vy, z = r->uz - r->vz;
     const double slip = sqrt(x*x + y*y + z*z);
-    const double mu = b->viscosity[c];
+    const double mu = r->viscosity;
 
     return dem_select(mu > 0.0,
-                      e*b->density[c]*(2.0*b->radius[c])*slip/
-                          dem_select(mu > 0.0, mu, 1.0),
-                      0.0);
+                      e*r->density*(2.0*r->radius)*slip/dem_select(mu > 0.0, mu, 1.0), 0.0);
+}
+
+/* Drag of a row by its G: coefficient and target. */
+DEM_MATH void dem_drag_add(struct dem_body_row *r, double G)
+{
+    const double drag = 9.42477796076937971*r->viscosity*(2.0*r->radius)*G;    /* 3 pi mu d G */
+
+    r->drag += drag;
+    r->drag_ux += drag*r->ux;
+    r->drag_uy += drag*r->uy;
+    r->drag_uz += drag*r->uz;
 }
 
 /* Schiller and Naumann (1933) below 1000, constant Cd = 0.44 above; a step of +0.4 % there, as
@@ -83,37 +91,6 @@ DEM_MATH double dem_drag_transition(double re)
     const double from = 1.5 - dem_log10(dem_select(re > 1e-12, re, 1e-12));    /* e^-91 at 1e-12 */
 
     return dem_exp(-0.5*from*from);
-}
-
-/* what a drag law reads of a particle */
-struct dem_drag_row
-{
-    /* settings of the law */
-    const void *settings;
-    /* 1  void fraction */
-    double e;
-    /* 1  Re, superficial; the same without the void fraction, of a single sphere */
-    double re, single_re;
-    /* m  d; Sauter mean of the surrounding particles (with DEM_NEEDS_MEAN_DIAMETER) */
-    double diameter, mean_diameter;
-    /* the law's voidage factors */
-    double factor[DEM_VOIDAGE_FACTORS];
-};
-
-/* Columns that a law does not read cost nothing: the compiler drops the loads. */
-DEM_MATH struct dem_drag_row dem_drag_row_load(const void *settings,
-                                               const struct dem_body_batch *b, int c)
-{
-    const double e = dem_drag_void_fraction(b->void_fraction[c]);
-
-    return (struct dem_drag_row){
-        .settings = settings,
-        .e = e,
-        .re = dem_drag_reynolds(b, c, e),
-        .single_re = dem_drag_reynolds(b, c, 1.0),
-        .diameter = 2.0*b->radius[c],
-        .mean_diameter = b->mean_diameter[c],
-        .factor = {b->voidage_factor[0][c], b->voidage_factor[1][c]}};
 }
 
 #endif

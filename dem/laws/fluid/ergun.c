@@ -17,15 +17,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/ergun.h"
 
-#include "laws/fluid/drag.h"
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    return dem_drag_ergun(r->e, r->re);
-}
-
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_ergun
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_ergun = {
     .name = "ergun",

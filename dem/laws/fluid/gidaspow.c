@@ -20,73 +20,26 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/gidaspow.h"
 
-#include "laws/fluid/drag.h"
-
-struct gidaspow
-{
-    int blend;
-};
-
-enum
-{
-    SMOOTH,
-    SWITCH
-};
 static const char *const blends[] = {"smooth", "switch", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_CHOICE(gidaspow, blend, "blend", SMOOTH, blends,
+    DEM_SETTING_CHOICE(dem_gidaspow, blend, "blend", DEM_GIDASPOW_SMOOTH, blends,
                      "transition from Ergun to Wen and Yu at void fraction 0.8: smooth, or the "
                      "original switch"),
     {0},
 };
 
-/* atan x: |x| > 1 by pi/2 - atan(1/x); the angle is halved twice, so that its tangent is below
-   0.2 and 11 terms of the series suffice: the next is below 0.2^22/23 = 2e-17 of the first */
-static inline double arctangent(double x)
-{
-    const double size = fabs(x);
-    const double z = dem_select(size > 1.0, 1.0/dem_select(size > 1.0, size, 1.0), size);
-    const double half = z/(1.0 + sqrt(1.0 + z*z));
-    const double t = half/(1.0 + sqrt(1.0 + half*half));
-    const double w = t*t;
-    const double sum =
-        1.0 -
-        w*(1.0/3.0 -
-             w*(1.0/5.0 -
-                  w*(1.0/7.0 -
-                       w*(1.0/9.0 -
-                            w*(1.0/11.0 -
-                                 w*(1.0/13.0 -
-                                      w*(1.0/15.0 -
-                                           w*(1.0/17.0 - w*(1.0/19.0 - w/21.0)))))))));
-    const double angle = 4.0*t*sum;
-    const double y = dem_select(size > 1.0, 1.57079632679489662 - angle, angle);
+#define LOOP prepare_bodies
+#define LAW dem_gidaspow
+#define ROW dem_gidaspow_prepare_row
+#define SETS DEM_SETS_VOIDAGE_FACTOR
+#include "laws/body_loop.h"
 
-    return dem_select(x < 0.0, -y, y);
-}
-
-/* e^-2.65 and phi */
-DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
-{
-    const int smooth = ((const struct gidaspow *)settings)->blend == SMOOTH;
-    const double pi = 3.14159265358979324, s = 1.0 - e;
-    const double transition = 0.5 + arctangent(150.0*1.75*(0.2 - s))/pi;
-
-    factor[0] = dem_drag_voidage_factor(e);
-    factor[1] = dem_select(smooth, transition, dem_select(e < 0.8, 0.0, 1.0));
-}
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    const double phi = r->factor[1], wen_yu = r->factor[0]*dem_drag_single_sphere(r->re);
-
-    return (1.0 - phi)*dem_drag_ergun(r->e, r->re) + phi*wen_yu;
-}
-
-#define HAS_VOIDAGE_FACTORS
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_gidaspow
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_gidaspow = {
     .name = "gidaspow",
@@ -98,7 +51,7 @@ const struct dem_effect dem_gidaspow = {
     .parcels = DEM_PARCELS_GRAINS,
     .drag = DEM_DRAG_BED,
     .needs = DEM_NEEDS_FLUID,
-    .size = sizeof(struct gidaspow),
+    .size = sizeof(struct dem_gidaspow),
     .settings = settings,
     .prepare_bodies = prepare_bodies,
     .apply_to_bodies = apply_to_bodies,

@@ -19,43 +19,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/koch_hill.h"
 
-#include "laws/fluid/drag.h"
+#define LOOP prepare_bodies
+#define LAW dem_koch_hill
+#define ROW dem_koch_hill_prepare_row
+#define SETS DEM_SETS_VOIDAGE_FACTOR
+#include "laws/body_loop.h"
 
-/* F0; the denominator of the dilute form is positive for s = 0 to 0.8, with a minimum of 0.1 at
-   0.65 */
-DEM_MATH double creeping(double e, double s)
-{
-    const double logarithm = dem_log(dem_select(s > 0.0, s, 1.0));    /* s ln s is 0 at s = 0 */
-    const double dilute = (1.0 + 3.0*sqrt(0.5*s) + 135.0/64.0*s*logarithm + 16.14*s)
-                        / (1.0 + s*(0.681 + s*(8.16*s - 8.48)));
-
-    return dem_select(s < 0.4, dilute, 10.0*s/(e*e*e));
-}
-
-/* F3 */
-DEM_MATH double inertial(double e, double s)
-{
-    return 0.0673 + 0.212*s + 0.0232/(e*e*e*e*e);
-}
-
-/* F0, and half of F3 */
-DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
-{
-    const double s = 1.0 - e;
-
-    (void)settings;
-    factor[0] = creeping(e, s);
-    factor[1] = 0.5*inertial(e, s);
-}
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    return r->e*r->e*(r->factor[0] + r->factor[1]*r->re);
-}
-
-#define HAS_VOIDAGE_FACTORS
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_koch_hill
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_koch_hill = {
     .name = "kochHill",

@@ -23,42 +23,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/magnus.h"
 
-#include "laws/fluid/slip.h"
-
-/* tanh x = 1 - 2/(e^2x + 1); for |x| > 30 it is 1 in double precision */
-static inline __attribute__((always_inline)) double hyperbolic_tangent(double x)
-{
-    const double size = dem_select(fabs(x) > 30.0, 30.0, fabs(x)), expm1_2x = dem_expm1(2.0*size),
-                 y = expm1_2x/(expm1_2x + 2.0);
-
-    return dem_select(x < 0.0, -y, y);
-}
-
-DEM_MATH double lift_coefficient(double S, double re)
-{
-    return 1.0 - (0.675 + 0.15*(1.0 + hyperbolic_tangent(0.28*(S - 2.0))))*
-                     hyperbolic_tangent(0.18*sqrt(re));
-}
-
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    const double eighth_pi = 0.39269908169872415;
-
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_slip w = dem_slip_of(b, c);
-        const double spin[3] = {b->wx[c], b->wy[c], b->wz[c]}, d = 2.0*b->radius[c];
-        const double spin_rate = sqrt(spin[0]*spin[0] + spin[1]*spin[1] + spin[2]*spin[2]);
-        const double S = dem_select(w.size > 1e-60,
-                                    d*spin_rate/dem_select(w.size > 1e-60, w.size, 1.0), 0.0);
-        const double C = lift_coefficient(S, w.re);
-
-        dem_slip_lift(b, c, &w, eighth_pi*b->density[c]*d*d*d*C, spin);
-    }
-}
+#define LAW dem_magnus
+#define SETS DEM_SETS_REACTION
+#include "laws/body_loop.h"
 
 /* Lift over drag, rho d^2 C W/(24 mu f), f the drag over Stokes drag, times the fraction of a
    response time that fits between two collisions, which change the spin; W = 10/7 v/d of a sphere
@@ -71,7 +40,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     (void)of;
     if (known)
     {
-        const double C = lift_coefficient(d*spin/g->slip, g->reynolds),
+        const double C = dem_magnus_coefficient(d*spin/g->slip, g->reynolds),
                      lasts = fmin(1.0, g->collision_time/g->response);
 
         v->fraction = lasts*g->suspension.fluid_density*d*d*C*spin/

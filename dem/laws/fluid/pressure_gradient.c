@@ -15,18 +15,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/pressure_gradient.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        b->fx[c] -= b->volume[c]*b->gx[c];
-        b->fy[c] -= b->volume[c]*b->gy[c];
-        b->fz[c] -= b->volume[c]*b->gz[c];
-    }
-}
+#define LAW dem_pressure_gradient
+#define SETS DEM_SETS_FORCE
+#include "laws/body_loop.h"
 
 /* Buoyancy over weight, rho_f/rho_p (Archimedes); in coupled runs also the solid fraction, the ratio
    of the force of the pressure gradient to the drag on a bed (Gidaspow 1994, 2.5). In a coupled bed

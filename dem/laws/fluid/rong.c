@@ -16,18 +16,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/rong.h"
 
-#include "laws/fluid/drag.h"
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    const double e = r->e;
-    const double chi = 2.65*(e + 1.0) - (5.3 - 3.5*e)*e*e*dem_drag_transition(r->re);
-
-    return dem_drag_dallavalle(r->re)*dem_pow(e, 1.0 - chi);
-}
-
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_rong
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_rong = {
     .name = "rong",

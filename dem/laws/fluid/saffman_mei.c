@@ -26,37 +26,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/saffman_mei.h"
 
-#include "laws/fluid/slip.h"
-
-/* J, the correction of Mei; k: d |o|/(2 |w|) */
-DEM_MATH double lift_correction(double k, double re)
-{
-    const double root = 0.3314*sqrt(k), decay = dem_exp(-0.1*re);
-
-    return dem_select(re <= 40.0, (1.0 - root)*decay + root, 0.0524*sqrt(k*re));
-}
-
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_slip w = dem_slip_of(b, c);
-        const double o[3] = {b->ox[c], b->oy[c], b->oz[c]}, d = 2.0*b->radius[c];
-        const double vorticity = sqrt(o[0]*o[0] + o[1]*o[1] + o[2]*o[2]);
-        /* below, the force is 0: it is proportional to the product */
-        const double acts = dem_select(vorticity*w.size > 1e-60, 1.0, 0.0);
-        const double k = acts*0.5*d*vorticity/dem_select(acts > 0.0, w.size, 1.0);
-        const double J = lift_correction(k, w.re);
-
-        dem_slip_lift(b, c, &w,
-                      acts*1.615*b->density[c]*d*d*
-                          sqrt(w.nu/dem_select(acts > 0.0, vorticity, 1.0))*J,
-                      o);
-    }
-}
+#define LAW dem_saffman_mei
+#define SETS DEM_SETS_REACTION
+#include "laws/body_loop.h"
 
 /* Lift over drag, 1.615 d sqrt(o/nu) J/(3 pi f), f the drag over Stokes drag. Not known without
    slip, or in a coupled fluid without shear. */
@@ -69,7 +43,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     (void)of;
     v->fraction = known && g->vorticity > 0.0
                       ? 1.615*d*sqrt(g->vorticity/nu)*
-                            lift_correction(0.5*d*g->vorticity/g->slip, g->reynolds)/
+                            dem_saffman_mei_correction(0.5*d*g->vorticity/g->slip, g->reynolds)/
                             (3.0*pi*g->drag_factor)
                       : 0.0;
     v->quantity = "of the drag is shear lift (Saffman 1965; Mei 1992)";

@@ -17,15 +17,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/schiller_naumann.h"
 
-#include "laws/fluid/drag.h"
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    return dem_drag_single_sphere(r->single_re);
-}
-
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_schiller_naumann
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_schiller_naumann = {
     .name = "schillerNaumann",

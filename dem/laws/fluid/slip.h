@@ -1,5 +1,5 @@
 /*
- * slip.h -- slip between fluid and particle for one row of the body batch, for the lift laws.
+ * slip.h -- slip between fluid and particle of a row, for the lift laws.
  *
  *   w = u - v,   Re_p = rho d |w|/mu
  *
@@ -12,8 +12,7 @@
 #ifndef DEM_LAWS_SLIP_H
 #define DEM_LAWS_SLIP_H
 
-#include "core/math.h"
-#include "laws/batch.h"
+#include "laws/row.h"
 
 struct dem_slip
 {
@@ -21,28 +20,24 @@ struct dem_slip
     double re, nu;                                        /* 1, m2/s; 0 where there is no fluid */
 };
 
-static inline __attribute__((always_inline)) struct dem_slip dem_slip_of(
-    const struct dem_body_batch *b, int c)
+DEM_MATH struct dem_slip dem_slip_of(const struct dem_body_row *r)
 {
-    struct dem_slip s = {.x = b->ux[c] - b->vx[c],
-                         .y = b->uy[c] - b->vy[c],
-                         .z = b->uz[c] - b->vz[c]};
-    const double rho = b->density[c], mu = b->viscosity[c],
-                 fluid = dem_select(rho*mu > 0.0, 1.0, 0.0);
+    struct dem_slip s = {.x = r->ux - r->vx, .y = r->uy - r->vy, .z = r->uz - r->vz};
+    const double rho = r->density, mu = r->viscosity, fluid = dem_select(rho*mu > 0.0, 1.0, 0.0);
 
     s.size = sqrt(s.x*s.x + s.y*s.y + s.z*s.z);
     s.nu = fluid*mu/dem_select(fluid > 0.0, rho, 1.0);
-    s.re = fluid*(2.0*b->radius[c])*s.size/dem_select(fluid > 0.0, s.nu, 1.0);
+    s.re = fluid*(2.0*r->radius)*s.size/dem_select(fluid > 0.0, s.nu, 1.0);
     return s;
 }
 
 /* adds k w x a to the force whose opposite acts on the fluid */
-static inline __attribute__((always_inline)) void dem_slip_lift(struct dem_body_batch *b, int c,
-                            const struct dem_slip *w, double k, const double a[3])
+DEM_MATH void dem_slip_lift(struct dem_body_row *r, const struct dem_slip *w, double k,
+                            const double a[3])
 {
-    b->rx[c] += k*(w->y*a[2] - w->z*a[1]);
-    b->ry[c] += k*(w->z*a[0] - w->x*a[2]);
-    b->rz[c] += k*(w->x*a[1] - w->y*a[0]);
+    r->rx += k*(w->y*a[2] - w->z*a[1]);
+    r->ry += k*(w->z*a[0] - w->x*a[2]);
+    r->rz += k*(w->x*a[1] - w->y*a[0]);
 }
 
 #endif

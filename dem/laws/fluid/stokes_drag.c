@@ -16,16 +16,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/stokes_drag.h"
 
-#include "laws/fluid/drag.h"
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    (void)r;
-    return 1.0;
-}
-
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_stokes_drag
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_stokes_drag = {
     .name = "stokesDrag",

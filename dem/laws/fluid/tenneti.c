@@ -23,26 +23,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/tenneti.h"
 
-#include "laws/fluid/drag.h"
+#define LOOP prepare_bodies
+#define LAW dem_tenneti
+#define ROW dem_tenneti_prepare_row
+#define SETS DEM_SETS_VOIDAGE_FACTOR
+#include "laws/body_loop.h"
 
-/* e^2 F without the single-sphere term F1/e: the constant, and the factor of Re */
-DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
-{
-    const double s = 1.0 - e, s3 = s*s*s;
-
-    (void)settings;
-    factor[0] = 5.81*s/e + 0.48*dem_pow(s, 1.0/3.0)/(e*e);
-    factor[1] = s3*(0.95*e*e + 0.61*s3);
-}
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    return dem_drag_single_sphere(r->re)/r->e + r->factor[0] + r->factor[1]*r->re;
-}
-
-#define HAS_VOIDAGE_FACTORS
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_tenneti
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_tenneti = {
     .name = "tenneti",

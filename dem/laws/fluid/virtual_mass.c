@@ -30,72 +30,35 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/virtual_mass.h"
 
-#include "laws/fluid/drag.h"
-
-struct virtual_mass
-{
-    double coefficient;
-    int correlation;
-};
-
-enum
-{
-    NONE,
-    ZUBER,
-    FELDERHOF
-};
 static const char *const correlations[] = {"none", "zuber", "felderhof", NULL};
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(virtual_mass, coefficient, "1", 0.5, 0.0, 10.0,
+    DEM_SETTING(dem_virtual_mass, coefficient, "1", 0.5, 0.0, 10.0,
               "C of a single particle, 1/2 for a sphere"),
-    DEM_SETTING_CHOICE(virtual_mass, correlation, "swarm", NONE, correlations,
+    DEM_SETTING_CHOICE(dem_virtual_mass, correlation, "swarm", DEM_SWARM_NONE, correlations,
                      "dependence of C on the solid fraction: none, or the correlation of Zuber or "
                      "Felderhof"),
     {0},
 };
 
-DEM_KERNEL
-static void prepare_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    const struct virtual_mass *const own = of;
-    const double single = own->coefficient;
+#define LOOP prepare_bodies
+#define LAW dem_virtual_mass
+#define ROW dem_virtual_mass_prepare_row
+#define SETS DEM_SETS_ADDED_MASS
+#include "laws/body_loop.h"
 
-    for (int c = 0; c < b->n; c++)
-    {
-        const double e = dem_drag_void_fraction(b->void_fraction[c]), s = 1.0 - e,
-                     fluid = dem_select(b->density[c]*b->volume[c] > 0.0, 1.0, 0.0);
-        const double ratio = dem_select(fluid > 0.0, b->mass[c], 1.0)/
-                             dem_select(fluid > 0.0, b->density[c]*b->volume[c], 1.0);
-        const double L = dem_log(dem_select(ratio > 1e-12, ratio, 1e-12));
-        const double zuber = (1.0 + 2.0*s)/e;
-        const double felderhof = 1.0 + 2.0*s*(0.047*L + 0.13 - s*(0.066*L + 0.58 - 1.42*s));
-        const double factor = dem_select(own->correlation == ZUBER, zuber,
-                                         dem_select(own->correlation == FELDERHOF, felderhof, 1.0));
-
-        b->added_mass[c] += single*dem_select(factor > 0.0, factor, 0.0)*b->density[c]*b->volume[c];
-    }
-}
-
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        b->rx[c] += b->added_mass[c]*b->ax[c];
-        b->ry[c] += b->added_mass[c]*b->ay[c];
-        b->rz[c] += b->added_mass[c]*b->az[c];
-    }
-}
+#define LAW dem_virtual_mass
+#define SETS DEM_SETS_REACTION
+#include "laws/body_loop.h"
 
 /* Zuber's factor is 1 or more. Felderhof's is less for bubbles and is not counted on. */
 static double least_added_mass(const void *of)
 {
-    const struct virtual_mass *const own = of;
+    const struct dem_virtual_mass *const own = of;
 
-    return own->correlation == FELDERHOF ? 0.0 : own->coefficient;
+    return own->correlation == DEM_SWARM_FELDERHOF ? 0.0 : own->coefficient;
 }
 
 /* added mass of a single sphere over mass, rho_f/(2 rho_p) */
@@ -117,7 +80,7 @@ const struct dem_effect dem_virtual_mass = {
     .has_reaction = 1,
     .has_added_mass = 1,
     .needs = DEM_NEEDS_FLUID | DEM_NEEDS_ACCELERATION,
-    .size = sizeof(struct virtual_mass),
+    .size = sizeof(struct dem_virtual_mass),
     .settings = settings,
     .prepare_bodies = prepare_bodies,
     .apply_to_bodies = apply_to_bodies,

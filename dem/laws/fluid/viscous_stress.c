@@ -17,18 +17,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/viscous_stress.h"
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    (void)of;
-    for (int c = 0; c < b->n; c++)
-    {
-        b->rx[c] += b->volume[c]*b->sx[c];
-        b->ry[c] += b->volume[c]*b->sy[c];
-        b->rz[c] += b->volume[c]*b->sz[c];
-    }
-}
+#define LAW dem_viscous_stress
+#define SETS DEM_SETS_REACTION
+#include "laws/body_loop.h"
 
 /* div tau over drag, V |div tau|/(3 pi mu d f u), or over the weight at rest; in coupled runs div
    tau is estimated as mu o over a cell size. Not known in a coupled fluid without shear. */

@@ -24,44 +24,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
-
-#include "core/math.h"
-
-struct viscous_torque
-{
-    int correction;
-};
+#include "laws/fluid/viscous_torque.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_SWITCH(viscous_torque, correction, "correction", 1,
+    DEM_SETTING_SWITCH(dem_viscous_torque, correction, "correction", 1,
                      "correction to the Stokes torque for rotational Reynolds numbers above 31.7"),
     {0},
 };
 
-DEM_KERNEL
-static void apply_to_bodies(const void *of, struct dem_body_batch *restrict b)
-{
-    const int corrects = ((const struct viscous_torque *)of)->correction;
-    const double pi = 3.14159265358979324;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double d = 2.0*b->radius[c], mu = b->viscosity[c];
-        const double x = 0.5*b->ox[c], y = 0.5*b->oy[c], z = 0.5*b->oz[c];
-        const double dx = x - b->wx[c], dy = y - b->wy[c], dz = z - b->wz[c];
-        const double re = dem_select(mu > 0.0,
-                                     b->density[c]*d*d*sqrt(dx*dx + dy*dy + dz*dz)/
-                                         dem_select(mu > 0.0, mu, 1.0),
-                                     0.0);
-        const double fit = (128.4 + 12.9*sqrt(re))/(64.0*pi);
-        const double t = pi*mu*d*d*d*dem_select(corrects & (fit > 1.0), fit, 1.0);
-
-        b->spin_drag[c] += t;
-        b->spin_drag_wx[c] += t*x;
-        b->spin_drag_wy[c] += t*y;
-        b->spin_drag_wz[c] += t*z;
-    }
-}
+#define LAW dem_viscous_torque
+#define SETS DEM_SETS_SPIN_DRAG
+#include "laws/body_loop.h"
 
 /* Spin lost between collisions, 1 - exp(-t/(rho_p d^2/(60 mu))). Not known without friction or in an
    open domain. */
@@ -83,7 +56,7 @@ const struct dem_effect dem_viscous_torque = {
     .stage = DEM_STAGE_FLUID,
     .has_rotational_drag = 1,
     .needs = DEM_NEEDS_FLUID | DEM_NEEDS_SPIN | DEM_NEEDS_VORTICITY,
-    .size = sizeof(struct viscous_torque),
+    .size = sizeof(struct dem_viscous_torque),
     .settings = settings,
     .apply_to_bodies = apply_to_bodies,
     .relevance = relevance,

@@ -16,22 +16,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/fluid/wen_yu.h"
 
-#include "laws/fluid/drag.h"
+#define LOOP prepare_bodies
+#define LAW dem_wen_yu
+#define ROW dem_wen_yu_prepare_row
+#define SETS DEM_SETS_VOIDAGE_FACTOR
+#include "laws/body_loop.h"
 
-DEM_MATH void voidage_factors(const void *settings, double e, double *factor)
-{
-    (void)settings;
-    factor[0] = dem_drag_voidage_factor(e);
-}
-
-DEM_MATH double drag_over_stokes(const struct dem_drag_row *r)
-{
-    return r->factor[0]*dem_drag_single_sphere(r->re);
-}
-
-#define HAS_VOIDAGE_FACTORS
-#include "laws/fluid/drag_loop.h"
+#define LAW dem_wen_yu
+#define SETS DEM_SETS_DRAG
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_wen_yu = {
     .name = "wenYu",

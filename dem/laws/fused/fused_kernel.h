@@ -9,15 +9,18 @@
 #ifndef DEM_LAWS_FUSED_KERNEL_H
 #define DEM_LAWS_FUSED_KERNEL_H
 
+#include "laws/batch_row.h"
 #include "laws/contact/dry.h"
 #include "laws/contact/hertz.h"
 #include "laws/contact/hooke.h"
 #include "laws/contact/hooke_hysteresis.h"
+#include "laws/contact/impact_speed.h"
 #include "laws/contact/jkr.h"
 #include "laws/contact/linear.h"
 #include "laws/contact/mindlin.h"
 #include "laws/contact/rolling_constant.h"
 #include "laws/contact/rolling_spring.h"
+#include "laws/contact/slider_columns.h"
 #include "laws/contact/stokes_damping.h"
 #include "laws/contact/viscous.h"
 #include "laws/effects.h"
@@ -37,7 +40,8 @@ struct dem_none
 enum
 {
     dem_none_columns = 0,
-    dem_none_sets = 0
+    dem_none_sets = 0,
+    dem_jkr_sets = DEM_SETS_FN | DEM_SETS_STORED | DEM_SETS_LOST
 };
 
 DEM_MATH void dem_none_row(const struct dem_none *l, struct dem_contact_row *r, double *history)
@@ -47,6 +51,12 @@ DEM_MATH void dem_none_row(const struct dem_none *l, struct dem_contact_row *r, 
 
 #define dem_none_adhesion_row dem_none_row
 
+/* A linear spring gets its stiffness in a loop of its own (impact_speed.h). */
+#define dem_hertz_before(l, b) (void)0
+#define dem_hertz_force_row dem_hertz_row
+#define dem_hooke_before(l, b) dem_impact_stiffnesses(&(l)->spring, b)
+#define dem_hooke_hysteresis_before dem_hooke_before
+
 /* A resistance to rolling without a spring has all of its moment in the first loop of a kernel. */
 #define dem_none_begin(l, r, t, c, h) dem_none_row(l, r, h)
 #define dem_none_limit(t, n) (void)(t)
@@ -54,6 +64,25 @@ DEM_MATH void dem_none_row(const struct dem_none *l, struct dem_contact_row *r, 
 #define dem_rolling_constant_begin(l, r, t, c, h) dem_rolling_constant_row(l, r, h)
 #define dem_rolling_constant_limit dem_none_limit
 #define dem_rolling_constant_end dem_none_end
+
+/* The spring of rolling in the loops of a kernel; history: theta. */
+DEM_MATH void dem_rolling_spring_begin(const struct dem_rolling_spring *l,
+                                       const struct dem_contact_row *r,
+                                       struct dem_slider_columns *t, int c, double *theta)
+{
+    dem_slider_begin(r, dem_rolling_slider(l, r, theta), t, c, theta);
+}
+
+#define dem_rolling_spring_limit dem_slider_limit_forces
+
+DEM_MATH void dem_rolling_spring_end(const struct dem_slider_columns *t, int c,
+                                     struct dem_contact_row *r, double *theta)
+{
+    const struct dem_slider s = dem_slider_end(t, c, theta);
+
+    dem_slider_keep(&s, theta);
+    dem_rolling_spring_add(&s, r);
+}
 
 /* What normal law and damping add to or set, except kn, which may have been set before. */
 DEM_MATH void dem_fused_begin(struct dem_contact_row *r)

@@ -55,7 +55,7 @@ static void DEM_FUSED_NAME(LAWS)(const void *const settings[DEM_FUSED_LAWS],
         dem_history_load(history, AT_FRICTION, c, h);
         dem_history_load(history + AT_FILM, COLUMNS - AT_FILM, c, h + AT_FILM);
         dem_fused_begin(&r);
-        NORMAL(_row)(&normal, &r, h);
+        NORMAL(_force_row)(&normal, &r, h);
         DAMPING(_row)(&damping, &r, h + AT_DAMPING);
         FILM(_adhesion_row)(&film, &r, h + AT_FILM);
         r.kt = FRICTION(_stiffness)(&friction, &r);
@@ -90,7 +90,10 @@ static void DEM_FUSED_NAME(LAWS)(const void *const settings[DEM_FUSED_LAWS],
 
         dem_history_load(history + AT_FRICTION, COLUMNS - AT_FRICTION, c, h + AT_FRICTION);
         r.fx = r.fy = r.fz = 0.0;
-        dem_slider_end(&slips, c, (double *[3]){&r.fx, &r.fy, &r.fz}, h + AT_FRICTION);
+        const struct dem_slider slipped = dem_slider_end(&slips, c, h + AT_FRICTION);
+
+        dem_slider_keep(&slipped, h + AT_FRICTION);
+        dem_friction_add(&slipped, &r);
         ROLLING(_end)(&rolls, c, &r, h + AT_ROLLING);
         dem_history_clear_apart(&r, AT_FILM - AT_FRICTION, h + AT_FRICTION);
         FILM(_row)(&film, &r, h + AT_FILM);

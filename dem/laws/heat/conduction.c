@@ -24,15 +24,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/heat/conduction.h"
 #include "laws/heat/heat.h"
-
-#include "core/math.h"
-
-struct conduction
-{
-    int area;
-    double per_radius;    /* 2 k c  [W/(m K)] */
-};
 
 enum
 {
@@ -46,7 +39,7 @@ static const char *const areas[] = {"force", "impact", "overlap", NULL};
 static const double max_overlap = 0.01, max_contacts = 12.0;
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING_CHOICE(conduction, area, "area", AREA_FORCE, areas,
+    DEM_SETTING_CHOICE(dem_conduction, area, "area", AREA_FORCE, areas,
                        "with realModulus, contact radius of the real material: under the same "
                        "force, in an impact at the same speed, or uncorrected"),
     {0},
@@ -54,7 +47,7 @@ static const struct dem_setting settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct conduction *const s = of;
+    struct dem_conduction *const s = of;
     const double soft = pair->reduced_modulus/dem_heat_real_modulus(pair);
     const struct dem_material *const lacks = pair->a->thermal.conductivity > 0.0 ? pair->b : pair->a;
 
@@ -71,7 +64,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 /* An explicit step is stable up to C/(sum of H). */
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const struct conduction *const s = of;
+    const struct dem_conduction *const s = of;
     const double diameter = 4.0*pair->min_radius,
                  conductance = s->per_radius*sqrt(pair->min_radius*max_overlap*diameter);
 
@@ -79,22 +72,10 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
     return pair->min_mass*dem_heat_min_capacity(pair)/(max_contacts*conductance);
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const double per_radius = ((const struct conduction *)of)->per_radius;
-    const struct dem_scalar_rows t = b->scalars[0];
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double heat = b->touching[c]*per_radius*
-                              sqrt(b->reduced_radius[c]*b->overlap[c])*(t.j[c] - t.i[c]);
-
-        t.rate_i[c] += heat;
-        t.rate_j[c] -= heat;
-    }
-}
+#define LAW dem_conduction
+#define SCALARS 1
+#define SETS DEM_SETS_RATE
+#include "laws/contact_loop.h"
 
 const struct dem_effect dem_conduction = {
     .name = "conduction",
@@ -104,7 +85,7 @@ const struct dem_effect dem_conduction = {
     .stage = DEM_STAGE_SCALAR,
     .parcels = DEM_PARCELS_SAME,
     .scalars = dem_temperature_only,
-    .size = sizeof(struct conduction),
+    .size = sizeof(struct dem_conduction),
     .settings = settings,
     .prepare = prepare,
     .time_limit = time_limit,

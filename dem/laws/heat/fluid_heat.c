@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "laws/heat/heat_transfer.h"
+#include "laws/heat/heat.h"
 
 static const struct dem_scalar fluid_temperature = {
     .name = "fluidTemperature",

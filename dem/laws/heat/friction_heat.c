@@ -23,44 +23,27 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "laws/heat/friction_heat.h"
 #include "laws/heat/heat.h"
 
-struct friction_heat
-{
-    double wall_fraction;
-    double fraction;    /* of the particle i [1] */
-};
-
 static const struct dem_setting settings[] = {
-    DEM_SETTING_AS(friction_heat, wall_fraction, "wallFraction", "1", 0.5, 0.0, 1.0,
+    DEM_SETTING_AS(dem_friction_heat, wall_fraction, "wallFraction", "1", 0.5, 0.0, 1.0,
                    "of the heat of a contact with a wall, what the wall receives; 0: insulated"),
     {0},
 };
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct friction_heat *const s = of;
+    struct dem_friction_heat *const s = of;
 
     s->fraction = pair->with_wall ? 1.0 - s->wall_fraction : 0.5;
     return DEM_OK;
 }
 
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct friction_heat *const s = of;
-    const double per_step = b->dt > 0.0 ? 1.0/b->dt : 0.0;
-    const struct dem_scalar_rows t = b->scalars[0];
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double heat = per_step*b->dissipated[c];
-
-        t.rate_i[c] += s->fraction*heat;
-        t.rate_j[c] += (1.0 - s->fraction)*heat;    /* a wall's is not used */
-    }
-}
+#define LAW dem_friction_heat
+#define SCALARS 1
+#define SETS DEM_SETS_RATE
+#include "laws/contact_loop.h"
 
 const struct dem_effect dem_friction_heat = {
     .name = "frictionHeat",
@@ -71,7 +54,7 @@ const struct dem_effect dem_friction_heat = {
     .parcels = DEM_PARCELS_SAME,
     .needs = DEM_NEEDS_DISSIPATION,
     .scalars = dem_temperature_only,
-    .size = sizeof(struct friction_heat),
+    .size = sizeof(struct dem_friction_heat),
     .settings = settings,
     .prepare = prepare,
     .apply = apply,

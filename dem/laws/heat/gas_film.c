@@ -36,35 +36,26 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "core/math.h"
+#include "laws/heat/gas_film.h"
 #include "laws/heat/heat.h"
-
-struct gas_film
-{
-    double conductivity, min_gap, thickness;
-    double real_overlap;    /* of the real material, over the scene's [1] */
-    double wall;            /* 1: the class is one with walls */
-};
 
 /* neighbours of a sphere that the limit of the time step counts on; twice those of contact, as
    conduction adds to it */
 static const double max_films = 24.0;
 
-static const double two_pi = 6.28318530717958648;
-
 static const struct dem_setting settings[] = {
-    DEM_SETTING(gas_film, conductivity, "W/(m K)", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO, INFINITY,
-                "of the gas"),
-    DEM_SETTING_AS(gas_film, min_gap, "minGap", "m", 4e-10, DEM_ABOVE_ZERO, INFINITY,
+    DEM_SETTING(dem_gas_film, conductivity, "W/(m K)", DEM_SETTING_REQUIRED, DEM_ABOVE_ZERO,
+                INFINITY, "of the gas"),
+    DEM_SETTING_AS(dem_gas_film, min_gap, "minGap", "m", 4e-10, DEM_ABOVE_ZERO, INFINITY,
                    "gap at smaller ones: about the temperature jump of the gas, or the roughness"),
-    DEM_SETTING(gas_film, thickness, "1", 0.2, DEM_ABOVE_ZERO, 1.0,
+    DEM_SETTING(dem_gas_film, thickness, "1", 0.2, DEM_ABOVE_ZERO, 1.0,
                 "of the film around a sphere over its radius: the largest gap across which it acts"),
     {0},
 };
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct gas_film *const s = of;
+    struct dem_gas_film *const s = of;
 
     /* a_real = a s^(1/3) under a given force, and a^2 = R* d */
     s->real_overlap = dem_pow(pair->reduced_modulus/dem_heat_real_modulus(pair), 2.0/3.0);
@@ -79,92 +70,26 @@ static double reach(const void *of, const struct dem_pair_class *pair)
     const double largest =
         pair->with_wall ? sum : 0.5*sum*(1.0 + sqrt(ratio > 0.0 ? ratio : 0.0));
 
-    return ((const struct gas_film *)of)->thickness*largest;
+    return ((const struct dem_gas_film *)of)->thickness*largest;
 }
 
 /* An explicit step is stable up to C/(sum of H); H <= k 2 pi R* (1 + ln(s_b/s_0)) in contact. */
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const struct gas_film *const s = of;
+    const struct dem_gas_film *const s = of;
     const double largest_gap = 2.0*s->thickness*pair->max_radius_sum,
                  ratio = largest_gap > s->min_gap ? largest_gap/s->min_gap : 1.0;
-    const double conductance = two_pi*s->conductivity*pair->min_radius*(1.0 + dem_log(ratio));
+    const double conductance =
+        DEM_GAS_FILM_TWO_PI*s->conductivity*pair->min_radius*(1.0 + dem_log(ratio));
 
     *why = "half the heat capacity over the conductance of twelve films (gasFilm)";
     return pair->min_mass*dem_heat_min_capacity(pair)/(max_films*conductance);
 }
 
-struct pair_of_spheres    /* l, D^2, and what they are multiplied by: 1/4, 1 at a wall */
-{
-    double l, D2, factor;
-};
-
-/* int r/s dr to the gap s, up to a constant */
-DEM_MATH double over_gap(const struct pair_of_spheres *p, double s)
-{
-    const double l = p->l, log_s = dem_log(s);
-    const double m = dem_select(l > s, l - s, l);    /* l = s only where D = 0 */
-
-    return p->factor*(l*log_s - s - p->D2*(((log_s - dem_log(m))/l + 1.0/m)/(l*l) + 0.5/(l*m*m)));
-}
-
-/* int r dr between two gaps; the difference is taken before it is rounded */
-DEM_MATH double area(const struct pair_of_spheres *p, double s1, double s2)
-{
-    const double m1 = p->l - s1, m2 = p->l - s2, mm = m1*m2;
-
-    return 0.5*p->factor*(s2 - s1)*(m1 + m2)*
-           (1.0 - p->D2/dem_select(mm > 0.0, mm*mm, 1.0));
-}
-
-/* Conductance over 2 pi k [m], radii R <= L, distance l, thickness of the film t L. */
-DEM_MATH double integral(const struct gas_film *g, double R, double L, double l, double touches)
-{
-    const double film = L*(1.0 + g->thickness);
-    const double along = dem_select(g->wall > 0.0, l, 0.5*(film*film - R*R + l*l)/l);
-    const double square = film*film - along*along, most = R*R;
-    /* r_b^2, 0 where the film does not meet the surface */
-    const double outer = dem_select(along > l, most, dem_select(square > 0.0, square, 0.0));
-    const double r2 = dem_select(outer < most, outer, most);
-    const double u = sqrt(R*R - r2), v = dem_select(g->wall > 0.0, 0.0, sqrt(L*L - r2));
-    const struct pair_of_spheres p = {
-        .l = l,
-        .D2 = dem_select(g->wall > 0.0, 0.0, (L*L - R*R)*(L*L - R*R)),
-        .factor = dem_select(g->wall > 0.0, 1.0, 0.25)};
-    const double s0 = g->min_gap, apart = l - R - dem_select(g->wall > 0.0, 0.0, L);
-    const double end = l - u - v;
-    const double begin = dem_select(touches > 0.0, 0.0, dem_select(apart > 0.0, apart, 0.0));
-    const double last = dem_select(end > begin, end, begin);
-    /* [begin, middle]: gaps below s_0; [first, last]: above */
-    const double middle = dem_select(last < s0, last, dem_select(begin > s0, begin, s0));
-    const double first = dem_select(begin > s0, begin, s0);
-    const double open = dem_select(last > first, last, first);
-
-    return area(&p, begin, middle)/s0 + over_gap(&p, open) - over_gap(&p, first);
-}
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct gas_film *const g = of;
-    const double factor = two_pi*g->conductivity;
-    const struct dem_scalar_rows t = b->scalars[0];
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double touches = dem_select(b->gap[c] < 0.0, 1.0, 0.0);
-        const double gap = b->gap[c]*dem_select(touches > 0.0, g->real_overlap, 1.0);
-        const double R = dem_select(b->min_radius[c] > 0.0, b->min_radius[c], 1.0);
-        const double other = b->distance[c] - b->gap[c] - R, L = dem_select(other > R, other, R);
-        const double sum = R + dem_select(g->wall > 0.0, 0.0, L);
-        const double heat = b->is_primary[c]*factor*
-                            integral(g, R, L, sum + gap, touches)*(t.j[c] - t.i[c]);
-
-        t.rate_i[c] += heat;
-        t.rate_j[c] -= heat;
-    }
-}
+#define LAW dem_gas_film
+#define SCALARS 1
+#define SETS DEM_SETS_RATE
+#include "laws/contact_loop.h"
 
 const struct dem_effect dem_gas_film = {
     .name = "gasFilm",
@@ -174,7 +99,7 @@ const struct dem_effect dem_gas_film = {
     .stage = DEM_STAGE_SCALAR,
     .example = "conductivity 0.026;",
     .scalars = dem_temperature_only,
-    .size = sizeof(struct gas_film),
+    .size = sizeof(struct dem_gas_film),
     .settings = settings,
     .prepare = prepare,
     .reach = reach,

@@ -15,18 +15,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/heat/gunn.h"
+#include "laws/heat/heat.h"
 
-#include "laws/heat/heat_transfer.h"
-
-DEM_MATH double nusselt(const struct dem_drag_row *r, double prandtl_root)
-{
-    const double e = r->e;
-    const double film = (7.0 - 10.0*e + 5.0*e*e)*(1.0 + 0.7*dem_pow(r->re, 0.2)*prandtl_root);
-
-    return film + (1.33 - 2.4*e + 1.2*e*e)*dem_pow(r->re, 0.7)*prandtl_root;
-}
-
-#include "laws/heat/heat_transfer_loop.h"
+#define LAW dem_gunn
+#define SCALARS DEM_HEAT_SCALARS
+#define SETS DEM_SETS_EXCHANGE
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_gunn = {
     .name = "gunn",

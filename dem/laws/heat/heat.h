@@ -14,6 +14,10 @@ extern const struct dem_scalar dem_temperature;
 /* The list of an effect that needs the temperature only. */
 extern const struct dem_scalar *const dem_temperature_only[];
 
+/* The list of a law of heat transfer: temperature, and the fluid's temperature, conductivity, heat
+   capacity. */
+extern const struct dem_scalar *const dem_heat_transfer_scalars[];
+
 /* Harmonic mean of the conductivities [W/(m K)]. */
 static inline double dem_heat_conductivity(const struct dem_pair_class *pair)
 {

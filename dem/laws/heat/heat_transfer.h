@@ -1,5 +1,5 @@
 /*
- * heat_transfer.h -- what the laws of heat transfer between fluid and particle share.
+ * heat_transfer.h -- what the laws of heat transfer between fluid and particle share on a row.
  *
  *   Q = B (T_f - T),   B = h pi d^2,   h = Nu k_f/d,   Pr = mu c_f/k_f
  *
@@ -18,34 +18,36 @@
 #define DEM_LAWS_HEAT_TRANSFER_H
 
 #include "laws/fluid/drag.h"
-#include "laws/heat/heat.h"
 
-/* The list of a law: temperature, and the fluid's temperature, conductivity, heat capacity. */
-extern const struct dem_scalar *const dem_heat_transfer_scalars[];
-
-struct dem_heat_transfer    /* columns of a batch, in the order of the list */
+enum    /* the scalars of a law, dem_heat_transfer_scalars */
 {
-    double *coefficient, *to_target;
-    const double *fluid_temperature, *conductivity, *heat_capacity;
+    DEM_HEAT_TEMPERATURE,
+    DEM_HEAT_FLUID_TEMPERATURE,
+    DEM_HEAT_CONDUCTIVITY,
+    DEM_HEAT_CAPACITY,
+    DEM_HEAT_SCALARS
 };
 
-static inline struct dem_heat_transfer dem_heat_transfer_of(const struct dem_body_batch *b)
+/* Pr^(1/3); 0 where there is no conductivity */
+DEM_MATH double dem_heat_prandtl_root(const struct dem_body_row *r)
 {
-    return (struct dem_heat_transfer){.coefficient = b->scalars[0].coefficient,
-                                      .to_target = b->scalars[0].to_target,
-                                      .fluid_temperature = b->scalars[1].value,
-                                      .conductivity = b->scalars[2].value,
-                                      .heat_capacity = b->scalars[3].value};
+    const double k = r->scalars[DEM_HEAT_CONDUCTIVITY].value,
+                 conducts = dem_select(k > 0.0, 1.0, 0.0);
+
+    return dem_pow(conducts*r->viscosity*r->scalars[DEM_HEAT_CAPACITY].value/
+                       dem_select(k > 0.0, k, 1.0),
+                   1.0/3.0);
 }
 
-/* Pr^(1/3); 0 where there is no conductivity */
-DEM_MATH double dem_heat_prandtl_root(const struct dem_body_batch *b,
-                                      const struct dem_heat_transfer *t, int c)
+/* Heat transfer of a row by its Nu: coefficient and target. */
+DEM_MATH void dem_heat_transfer_add(struct dem_body_row *r, double nusselt)
 {
-    const double k = t->conductivity[c], conducts = dem_select(k > 0.0, 1.0, 0.0);
+    /* pi d k_f Nu */
+    const double B = 3.14159265358979324*(2.0*r->radius)*r->scalars[DEM_HEAT_CONDUCTIVITY].value*
+                     nusselt;
 
-    return dem_pow(conducts*b->viscosity[c]*t->heat_capacity[c]/dem_select(k > 0.0, k, 1.0),
-                   1.0/3.0);
+    r->scalars[DEM_HEAT_TEMPERATURE].coefficient += B;
+    r->scalars[DEM_HEAT_TEMPERATURE].to_target += B*r->scalars[DEM_HEAT_FLUID_TEMPERATURE].value;
 }
 
 #endif

@@ -25,29 +25,20 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "core/math.h"
 #include "laws/heat/heat.h"
-
-struct radiation
-{
-    double reach, max_temperature;
-    double resistance[2];    /* s of i, and of j: their mean; 0 at a wall [1] */
-    double wall;             /* 1: the class is one with walls */
-};
-
-static const double stefan_boltzmann = 5.670374419e-8, four_pi = 12.5663706143591730;
+#include "laws/heat/radiation.h"
 
 static const struct dem_setting settings[] = {
-    DEM_SETTING(radiation, reach, "1", 1.5, 1.0, 10.0,
+    DEM_SETTING(dem_radiation, reach, "1", 1.5, 1.0, 10.0,
                 "largest distance of the centres over the sum of the radii"),
-    DEM_SETTING_AS(radiation, max_temperature, "maxTemperature", "K", 2000.0, DEM_ABOVE_ZERO, 1e5,
-                   "of the particles; for the limit of the time step only"),
+    DEM_SETTING_AS(dem_radiation, max_temperature, "maxTemperature", "K", 2000.0, DEM_ABOVE_ZERO,
+                   1e5, "of the particles; for the limit of the time step only"),
     {0},
 };
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct radiation *const s = of;
+    struct dem_radiation *const s = of;
     const struct dem_material *const lacks = pair->a->thermal.emissivity > 0.0 ? pair->b : pair->a;
     const double a = pair->a->thermal.emissivity, b = pair->b->thermal.emissivity;
 
@@ -62,7 +53,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 static double reach(const void *of, const struct dem_pair_class *pair)
 {
-    const double times = ((const struct radiation *)of)->reach;
+    const double times = ((const struct dem_radiation *)of)->reach;
 
     return (pair->with_wall ? 2.0*times - 1.0 : times - 1.0)*pair->max_radius_sum;
 }
@@ -70,46 +61,18 @@ static double reach(const void *of, const struct dem_pair_class *pair)
 /* An explicit step is stable up to C/(4 sigma T^3 A); half of that, as other heat adds to it. */
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
-    const double T = ((const struct radiation *)of)->max_temperature;
+    const double T = ((const struct dem_radiation *)of)->max_temperature;
     const double R = pair->with_wall ? pair->min_radius : 2.0*pair->min_radius;
 
     *why = "half the heat capacity over the radiation at maxTemperature (radiation)";
     return 0.5*pair->min_mass*dem_heat_min_capacity(pair)/
-           (4.0*stefan_boltzmann*T*T*T*four_pi*R*R);
+           (4.0*DEM_RADIATION_SIGMA*T*T*T*DEM_RADIATION_FOUR_PI*R*R);
 }
 
-DEM_MATH double fourth(double T)
-{
-    return T*T*T*T;
-}
-
-DEM_KERNEL
-static void apply(const void *of, struct dem_contact_batch *restrict b, double *const *history)
-{
-    const struct radiation *const s = of;
-    const struct dem_scalar_rows t = b->scalars[0];
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double R = dem_select(b->min_radius[c] > 0.0, b->min_radius[c], 1.0);
-        const double rest = b->distance[c] - b->gap[c] - R, L = dem_select(rest > R, rest, R);
-        const double far = s->reach*(R + L), l = dem_select(b->distance[c] > L, b->distance[c], L);
-        const double x = R/l, y = L/l;
-        /* A F of the two */
-        const double pair = four_pi*R*R*y*y/((1.0 + sqrt(1.0 - x*x))*(1.0 + sqrt(1.0 - y*y)));
-        const double plane = 0.5*four_pi*R*R*(1.0 - l/far);
-        const double seen = dem_select(s->wall > 0.0, plane, pair);
-        const double sees = dem_select(l < far, b->is_primary[c], 0.0);
-        const double resistance = (s->resistance[0]/(R*R) + s->resistance[1]/(L*L))/four_pi +
-                                  1.0/dem_select(sees > 0.0, seen, 1.0);
-        const double heat =
-            sees*stefan_boltzmann*(fourth(t.j[c]) - fourth(t.i[c]))/resistance;
-
-        t.rate_i[c] += heat;
-        t.rate_j[c] -= heat;
-    }
-}
+#define LAW dem_radiation
+#define SCALARS 1
+#define SETS DEM_SETS_RATE
+#include "laws/contact_loop.h"
 
 const struct dem_effect dem_radiation = {
     .name = "radiation",
@@ -118,7 +81,7 @@ const struct dem_effect dem_radiation = {
     .source = "Zhou, Yu, Zulli 2009; Cheng, Yu 2013",
     .stage = DEM_STAGE_SCALAR,
     .scalars = dem_temperature_only,
-    .size = sizeof(struct radiation),
+    .size = sizeof(struct dem_radiation),
     .settings = settings,
     .prepare = prepare,
     .reach = reach,

@@ -15,15 +15,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/heat/heat.h"
+#include "laws/heat/ranz_marshall.h"
 
-#include "laws/heat/heat_transfer.h"
-
-DEM_MATH double nusselt(const struct dem_drag_row *r, double prandtl_root)
-{
-    return 2.0 + 0.6*sqrt(r->single_re)*prandtl_root;
-}
-
-#include "laws/heat/heat_transfer_loop.h"
+#define LAW dem_ranz_marshall
+#define SCALARS DEM_HEAT_SCALARS
+#define SETS DEM_SETS_EXCHANGE
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_ranz_marshall = {
     .name = "ranzMarshall",

@@ -15,15 +15,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/effect.h"
+#include "laws/heat/heat.h"
+#include "laws/heat/wakao.h"
 
-#include "laws/heat/heat_transfer.h"
-
-DEM_MATH double nusselt(const struct dem_drag_row *r, double prandtl_root)
-{
-    return 2.0 + 1.1*dem_pow(r->re, 0.6)*prandtl_root;
-}
-
-#include "laws/heat/heat_transfer_loop.h"
+#define LAW dem_wakao
+#define SCALARS DEM_HEAT_SCALARS
+#define SETS DEM_SETS_EXCHANGE
+#include "laws/body_loop.h"
 
 const struct dem_effect dem_wakao = {
     .name = "wakao",

@@ -1,0 +1,20 @@
+/*
+ * rong.h -- row function of rong.c, which has the formula and its source.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_RONG_H
+#define DEM_LAWS_RONG_H
+
+#include "laws/fluid/drag.h"
+
+DEM_MATH void dem_rong_row(const void *none, struct dem_body_row *r)
+{
+    const double e = dem_drag_void_fraction(r->void_fraction), re = dem_drag_reynolds(r, e);
+    const double chi = 2.65*(e + 1.0) - (5.3 - 3.5*e)*e*e*dem_drag_transition(re);
+
+    (void)none;
+    dem_drag_add(r, dem_drag_dallavalle(re)*dem_pow(e, 1.0 - chi));
+}
+
+#endif

@@ -1,0 +1,17 @@
+/*
+ * stokes_drag.h -- row function of stokes_drag.c, which has the formula and its source.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_LAWS_STOKES_DRAG_H
+#define DEM_LAWS_STOKES_DRAG_H
+
+#include "laws/fluid/drag.h"
+
+DEM_MATH void dem_stokes_drag_row(const void *none, struct dem_body_row *r)
+{
+    (void)none;
+    dem_drag_add(r, 1.0);
+}
+
+#endif
