@@ -186,7 +186,7 @@ static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_
     memset(c->deferred, 0, words*sizeof *c->deferred);
     for (size_t i = 0; i < n; i++)
     {
-        const int64_t oldest = dem_contact_forces_oldest(r, i);
+        const int64_t oldest = dem_contact_forces_oldest(c, r, i);
 
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
@@ -228,7 +228,6 @@ static int list_own_slots(struct dem_contact_forces *c, const struct dem_contact
         }
     }
     c->own_slots = n;
-    c->ring = DEM_FORCE_BUFFER_ROWS;
     return DEM_OK;
 }
 
@@ -247,7 +246,7 @@ static void assign_entries(const struct dem_contact_forces *c, struct dem_contac
 
     for (size_t i = 0; i < n; i++)
     {
-        const int64_t oldest = dem_contact_forces_oldest(r, i);
+        const int64_t oldest = dem_contact_forces_oldest(c, r, i);
 
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
@@ -275,17 +274,18 @@ int dem_contact_forces_assign_slots(struct dem_contact_forces *c, struct dem_con
     const uint32_t walls = find_walls(r, p);
     size_t deferred;
 
-    c->ring = 0;
     c->own_slots = 0;
-    if (r->n <= DEM_FORCE_BUFFER_ROWS)
+    for (c->ring = DEM_FORCE_BUFFER_ROWS; c->ring <= DEM_FORCE_BUFFER_MAX_ROWS && c->ring < r->n;
+         c->ring *= 2)
     {
-        return DEM_OK;
+        DEM_TRY(mark_deferred(c, r, walls, n, &deferred));
+        if (ROWS_PER_DEFERRED*deferred <= r->n)
+        {
+            DEM_TRY(list_own_slots(c, r, walls, deferred));
+            assign_entries(c, r, walls, n);
+            return DEM_OK;
+        }
     }
-    DEM_TRY(mark_deferred(c, r, walls, n, &deferred));
-    if (ROWS_PER_DEFERRED*deferred <= r->n)
-    {
-        DEM_TRY(list_own_slots(c, r, walls, deferred));
-        assign_entries(c, r, walls, n);
-    }
+    c->ring = 0;
     return DEM_OK;
 }
