@@ -144,7 +144,7 @@ size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int r
 /* After rows and adjacency are built: choose whether there is a ring, and assign slots to entries and
    segments, which have the numbers of rows so far. n: owned particles. */
 int dem_contact_forces_assign_slots(struct dem_contact_forces *, struct dem_contact_rows *,
-                                    const struct dem_pair_list *, size_t n);
+                                    size_t n);
 
 /* Energies and rates of `capacity` rows, zero for the first n. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);
