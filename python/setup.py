@@ -21,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 CORE = HERE/"core" if (HERE/"core").is_dir() else HERE.parent/"dem"
 VERSION = re.search(r'#define DEM_VERSION "(.*)"', (CORE/"include"/"dem.h").read_text()).group(1)
 # what `make shared` reads: sources lie at most three folders deep
-SOURCES = ("Makefile", "Make/*", "install/*", "*/*.[ch]", "*/*/*.[ch]")
+SOURCES = ("Makefile", "install/*", "*/*.[ch]", "*/*/*.[ch]")
 
 
 class WithCore(build_py):
@@ -41,8 +41,8 @@ class WithSources(sdist):
         for pattern in SOURCES:
             for file in CORE.glob(pattern):
                 name = file.relative_to(CORE)
-                # links of wmake, objects
-                if file.is_file() and not {"lnInclude", "build"} & set(name.parts):
+                # objects
+                if file.is_file() and "build" not in name.parts:
                     target = Path(base_dir)/"core"/name
                     target.parent.mkdir(parents=True, exist_ok=True)
                     shutil.copy(file, target)

@@ -1,6 +1,6 @@
 /*
- * accuracy.c -- the entry `accuracy` of a scene: read it, start the search, print whether the wish was
- * met.
+ * accuracy.c -- the entry `accuracy` of a scene: read it, start the search, print whether the run
+ * meets the target.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,8 +1,8 @@
 /*
- * accuracy.h -- the entry `accuracy` of a scene: the wish for an error, and what the search for it
- * has found.
+ * accuracy.h -- the entry `accuracy` of a scene: the largest error allowed, and the time step found
+ * for it.
  *
- *     accuracy { target 0.01; budget 60; }    searched before the run, for so many s
+ *     accuracy { target 0.01; budget 60; }    `dem run` searches first, for at most 60 s
  *     accuracy { target 0.01; reached 0.0054; of kinetic; window 0.01; step 1.2e-6; }
  *                                             found by `dem cost -target`, see suna_cost/target.py
  *

@@ -1,6 +1,6 @@
 /*
- * command_cost.c -- `dem cost`, `dem plot` and `dem import`: start suna_cost, which makes the study
- * or draws it, or suna_import, Python programs, in place of this one.
+ * command_cost.c -- `dem cost`, `dem plot` and `dem import`: replace this program by a Python
+ * program: suna_cost makes and draws studies, suna_import translates cases.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

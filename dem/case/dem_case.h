@@ -1,6 +1,5 @@
 /*
- * dem_case.h -- struct dem_case, what will run: the run that is made, and what only its making
- * needs.
+ * dem_case.h -- struct dem_case: the run that is being set up, and data that only the set-up needs.
  *
  * The files of case/ take the case; the folders above see struct dem only.
  *

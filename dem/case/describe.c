@@ -1,6 +1,6 @@
 /*
  * describe.c -- the public calls that say what will run: scene, walls, regions, patches and
- * particles of the program, a snapshot, and what is asked of the run besides.
+ * particles of the program, a snapshot, and options of the run.
  *
  * A caller may trap floating-point exceptions (OpenFOAM does); calls that compute hold the traps
  * and restore them.

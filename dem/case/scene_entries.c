@@ -1,5 +1,5 @@
 /*
- * scene_entries.c -- entries of the scene that belong to the program, by path.
+ * scene_entries.c -- look up entries of the scene that the program reads, by their path.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,6 +1,5 @@
 /*
- * setup_check.c -- checks of a scene that need no particles, before these are placed, which may
- * take long.
+ * setup_check.c -- check a scene before its particles are placed, which may take long.
  *
  * Unknown entries, effects that lack a setting, walls without an area, a time step that is too
  * long, groups outside the domain. The radii follow from the scene; with them the interaction table

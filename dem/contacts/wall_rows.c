@@ -1,5 +1,5 @@
 /*
- * wall_rows.c -- see wall_rows.h.
+ * wall_rows.c -- find the contact row of each wall neighbor, and list the neighbors that have one.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

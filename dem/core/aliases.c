@@ -1,5 +1,5 @@
 /*
- * aliases.c -- table of the words of other codes for the words of Suna.
+ * aliases.c -- table of Suna's words and the words of other codes for them.
  *
  * The codes are LIGGGHTS, LAMMPS, MFiX, MercuryDPM and the Lagrangian clouds of OpenFOAM. Upper and
  * lower case are different: E is a modulus and e a restitution. A foreign word may stand in several

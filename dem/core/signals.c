@@ -2,7 +2,7 @@
  * signals.c -- catch signals that ask a run to save its state and to end: SIGTERM, which batch
  * systems and mpirun send before they kill; SIGUSR1; SIGINT (Ctrl-C), of which a second one ends
  * the program at once. The handler stores the signal's number, which the run reads after each step
- * on all ranks. A file that the run looks for stores a number of its own there.
+ * on all ranks. A stop file that the run finds stores another number there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

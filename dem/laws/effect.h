@@ -1,9 +1,10 @@
 /*
  * effect.h -- the descriptor of an effect (physical model); each effect includes this header.
  *
- * An effect is one file and one row in effects.h. Its descriptor declares the name, one sentence,
- * the source, settings with units and ranges, and history columns. Input, error messages, the
- * manual, restart, search distance and the limit of the time step are derived from it.
+ * An effect is one file and one row in effects.h. Its descriptor
+ * declares the name, one sentence, the source, settings with units and ranges, and history columns.
+ * Input, error messages, the manual, restart, search distance and the limit of the time step follow
+ * from it. docs/adding-an-effect.md has an example.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * effects.h -- the list of all effects. To add one: write <folder>/<name>.c and add a row here.
+ * effects.h -- the list of all effects. A new law needs a row here.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -7,8 +7,8 @@
  *    (dem_wall_store_distribute).
  * 3. When neighbor lists are rebuilt, each rank sends the triangles of its slice to the ranks whose
  *    subdomains they are near (dem_wall_store_select). Between rebuilds only triangles that the
- *    search found are read, so no motion of a wall has to be foreseen. More than needed is sent,
- *    and is sent anew only when that may not suffice any more.
+ *    search found are read, so no motion of a wall has to be foreseen. A rank gets more
+ *    triangles than it needs, and new ones only when these may no longer suffice.
  *
  * A wall that follows a mesh is held by all ranks (dem_wall_store_follow): the plane of a facet, and
  * whether it is bent, follow in each step from all of its triangles.

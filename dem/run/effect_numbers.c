@@ -1,5 +1,6 @@
 /*
- * effect_numbers.c -- what the descriptors of effects say of a scene: relevance, lines, drag.
+ * effect_numbers.c -- what the descriptors of effects say about a scene: relevance, sentences of
+ * the plan, drag.
  *
  * The drag law of the scene is evaluated through a body batch, so no drag formula is repeated here.
  *

@@ -2,7 +2,7 @@
  * fluid_api.c -- exchange with a coupled fluid: columns of fluid values at the particles, and
  * forces of particles on the fluid.
  *
- * laws/fluid/particle_exchange.h has the formulas.
+ * Formulas: laws/fluid/particle_exchange.h; the response R of a particle: step/body_window.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

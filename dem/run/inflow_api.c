@@ -2,8 +2,7 @@
  * inflow_api.c -- streams and outlets on patches of a mesh, driven by the program between two
  * advances.
  *
- * Particles that the program has seen leave are
- * removed in the next dem_flow_apply.
+ * Particles that the program has seen leave are removed in the next dem_flow_apply.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,5 @@
 /*
- * inlet_walls.c -- see inlet_walls.h.
+ * inlet_walls.c -- gather the triangles near an inlet from all ranks.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

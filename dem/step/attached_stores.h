@@ -3,7 +3,7 @@
  * by pointers.
  *
  * The state (ranks/dem_state.h) lies below records and sources, so it knows their stores by pointer
- * only. Who makes a state, the public interface or a timed sample, makes one of these beside it.
+ * only. Whoever makes a state (the public interface, a timed sample) makes one of these beside it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

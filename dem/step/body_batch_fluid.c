@@ -1,6 +1,6 @@
 /*
- * body_batch_fluid.c -- of a batch of particles in a fluid: modifications of the drag, rotational
- * drag, and the impulses that are passed to the fluid.
+ * body_batch_fluid.c -- particles in a fluid, batch by batch: factors of the drag, the kick of
+ * spins by rotational drag, and the impulses on the fluid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,9 +1,19 @@
 /*
- * body_window.c -- what body effects have at the beginning and at the end of a coupling window.
+ * body_window.c -- begin and end of a coupling window: constants of the body effects, and the
+ * response of each particle to the fluid.
  *
- * docs/theory-coupling.md, "Exchange", derives the response R of the impulses to the fluid's
- * velocity, the response of added mass, the slip factor gamma and the fraction of a steady force that
- * drag passes on. With gamma the slip within a window is u - v(start) - gamma (v - v(start)).
+ *   R = |J|/|u - v(start)|, between m E/gamma and B; B for a frozen particle    [kg]
+ *   q = 1 - m E/(gamma B), 0 for a frozen particle                              [1]
+ *
+ *   J      impulse of drag in the window                                        [N s]
+ *   E      1 - product of exp(-gamma b h/m) over the steps h                    [1]
+ *   B      sum of b h, b the drag coefficient                                   [kg]
+ *   gamma  slip factor: the slip is u - v(start) - gamma (v - v(start))         [1]
+ *   m      inertial mass, with added mass                                       [kg]
+ *   q      fraction of a steady force that drag passes on to the fluid
+ *
+ * Added mass a adds a m_i/m to R, with m_i the mass alone, and a for a frozen particle.
+ * docs/theory-coupling.md, "Exchange", has the reasons.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -146,12 +156,12 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
 
     for (size_t i = 0; u && i < particles->n; i++)
     {
-        const double free =
+        const double free =    /* m E */
             particles->record[i].inverse_mass > 0.0
                 ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/
                       particles->record[i].inverse_mass
                 : 0.0;
-        const double held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i];
+        const double held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i];    /* B */
         const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i];
         double slip = 0.0, impulse = 0.0, eddy[3];
 

@@ -1,5 +1,5 @@
 /*
- * fall_check.c -- see fall_check.h.
+ * fall_check.c -- count the particles that fell through walls, and end the run.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

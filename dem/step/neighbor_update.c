@@ -1,5 +1,8 @@
 /*
- * neighbor_update.c -- decide when neighbor lists are pruned or rebuilt.
+ * neighbor_update.c -- phase 3 of a step: receive the ghosts, and prune or rebuild the neighbor
+ * lists when their skins are used up.
+ *
+ * Ghosts are sent in step.c and received here, except in a step that rebuilds: it makes new ghosts.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

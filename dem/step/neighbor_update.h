@@ -1,6 +1,6 @@
 /*
- * neighbor_update.h -- after a drift: keep, prune or rebuild the neighbor lists, decided from
- * bounds on the displacements.
+ * neighbor_update.h -- after a drift: receive the ghosts, and keep, prune or rebuild the neighbor
+ * lists, decided from bounds on the displacements.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

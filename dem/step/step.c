@@ -6,13 +6,13 @@
  * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors
  *    (one all-reduce): in each step, or every few steps where time/maxSpeed bounds how far
  *    particles can have moved.
- * 3. Update the neighbor lists: refresh ghosts, prune, or rebuild (neighbor_update.c).
+ * 3. Receive the ghosts, and prune or rebuild the neighbor lists if needed (neighbor_update.c).
  * 4. Contact forces, batch by batch (sweep_contacts.c).
  * 5. Sum the contact forces of each particle (sum_contacts.c), add body and fluid forces, kick
  *    velocities and spins (sweep_bodies.c). In most steps this happens during phase 4, for the
  *    particles whose contact forces are all known.
- * 6. Averages when due. Backup, energy balance and wall statistics need the state within phase 5 and
- *    are made there.
+ * 6. Averages when due. Backup, energy balance and wall statistics need the state within phase 5
+ *    and are made there.
  *
  * All other decisions follow from what all ranks know after the all-reduce.
  *
@@ -268,8 +268,8 @@ static int sample_averages(struct dem_state *state, int status)
 /* ---- the step -------------------------------------------------------------------------------- */
 
 /* The step from `since` [s] to state->time; the last one of a window ends with half a kick. An
-   error of this rank after the agreement, or in a step without one, is kept for the next one, so that all
-   ranks stop together. */
+   error of this rank after the agreement, or in a step without one, is kept for the next agreement,
+   so that all ranks stop together. */
 static int step(struct dem_state *state, double since, int last, int *status)
 {
     const double kick = last ? 0.5*state->dt : state->dt;

@@ -3,12 +3,12 @@
  *
  * 1. Sort the triangles; drop duplicates and triangles without area.
  * 2. Weld corners that coincide within a tolerance.
- * 3. Join triangles that share an edge and are coplanar (union-find); mark edges on the rim of a
- *    facet: all triangles at such an edge are on one side of it. Two are there at the edge of a
- *    plate without thickness, a baffle, whose sides are cut along different diagonals.
- *    Along periodic axes corners and edges of the images count, too: each has its place, a
- *    number of periods, and union-find adds up the places along its links. A facet that comes back
- *    to where it began by a period is joined to its own image, endless.
+ * 3. Join triangles that share an edge and are coplanar (union-find); mark the edges on the rim of
+ *    a facet, where all its triangles lie on one side. That may be two triangles: the sides of a
+ *    baffle (a plate without thickness) may be cut along different diagonals.
+ *    Along periodic axes corners and edges also meet those of images. Each has an offset, a number
+ *    of periods, and union-find adds up the offsets along its links. A facet that meets itself a
+ *    period away is joined to its own image and has no end there.
  * 4. Number the facets in the order of the sorted triangles; the plane is taken from the largest
  *    triangle.
  *

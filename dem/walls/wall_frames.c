@@ -1,10 +1,10 @@
 /*
- * wall_frames.c -- reference frames of moving walls: present poses, and displacement since lists
- * were made.
+ * wall_frames.c -- reference frames of moving walls: present poses, and displacement since the
+ * neighbor lists were built.
  *
  * The displacement field of a rigid body is an affine function of the point and its norm is convex.
- * Over a triangulated wall it is therefore largest at a corner of the bounding box, so the eight
- * corners are marks.
+ * Over a triangulated wall it is therefore largest at a corner of the bounding box, so only the
+ * eight corners ("marks") are followed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,8 +1,8 @@
 /*
  * wall_grid.c -- grid of the triangles of walls; triangles and their periodic images near a point.
  *
- * The grid has the triangles where they were given. Images are found by looking from each image: at
- * the point less a whole number of periods, for all numbers with which it lies in reach of the grid.
+ * The grid has the triangles where they were given. To find their images, the search is repeated at
+ * the point less n periods, for every n that brings it within reach of the grid.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,9 +1,9 @@
 /*
  * wall_images.c -- periodic images of walls of triangles, which need no storage.
  *
- * A wall at rest is periodic when its images are, and so is one that is displaced, as displacements
- * commute with a period; one that rotates only about a periodic axis. Another motion is refused where
- * the wall comes near a periodic face (dem_domain_check_walls).
+ * A wall at rest has periodic images. It still has them when it is displaced, as displacements
+ * commute with a period, or rotates about a periodic axis. Any other motion is refused where the
+ * wall comes near a periodic face (dem_domain_check_walls).
  *
  * A particle at x meets image n of a triangle as it would meet the triangle at x - n L:
  *
@@ -14,8 +14,8 @@
  *   n      a whole number
  *
  * x and L are multiples of the domain's unit (domain.h), and s is rounded to one, so X is exact: a
- * contact has the same bits before and after the particle is wrapped. For this s is kept less than a
- * period long: dem_walls_wrap takes whole periods off whenever lists are made, and wall neighbors
+ * contact has the same bits before and after the particle is wrapped. For this s is kept less than
+ * a period long: dem_walls_wrap takes whole periods off whenever lists are made, and wall neighbors
  * count n from there. Poses of walls that never come near a periodic face are left as they are.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -10,8 +10,8 @@
  *                  rotation      Q: by the angle omega T about the axis through the origin o,
  *                                s = o - Q o
  *
- *   B   base: the identity, unless a restart has changed the motion of the wall. Then it is the pose
- *       with which the wall goes on from where it stood (wall_frames.c)
+ *   B   base: the identity, unless a restart has changed the motion of the wall; then the pose that
+ *       lets the wall go on from where it stood (wall_frames.c)
  *   T   time since the start, limited to [0, end - start]; outside the wall rests             [s]
  *
  * A point of the wall has the velocity of the chord of the last step, (x(t) - x(t - dt))/dt, as

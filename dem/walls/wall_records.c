@@ -1,8 +1,8 @@
 /*
- * wall_records.c -- hold a part of the triangles of all walls and ranks.
+ * wall_records.c -- the part of the walls' triangles, with their facets, that this rank holds.
  *
- * Triangles are held in the order of their index among all, and facets in the order of their
- * numbers, so a search meets the same triangles in the same order, whatever else is held.
+ * Triangles are held in the order of their global index, and facets in the order of their numbers,
+ * so a search meets the same triangles in the same order whatever else a rank holds.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -2,12 +2,12 @@
  * wall_search.h -- search for the wall facets that each particle may reach before the next search.
  *
  * For each particle and facet within reach there is one wall neighbor. It is either "open": no rim
- * of the facet is in reach, so the contact is that with the unbounded plane, cylinder or sphere; or
+ * of the facet is in reach, so the contact is with the unbounded plane, cylinder or sphere; or
  * it has the list of triangles in reach. Triangles are searched in the reference frame of their
- * wall, so the grid of triangles is built once, however walls move. Only when walls follow a mesh
- * it is built again for each search after they have moved. A particle near a periodic face meets
- * images of triangles: it is searched for at each position that it has as seen from an image. All
- * triangles in reach of one image of a facet are one wall neighbor.
+ * wall, so the grid of triangles is built once, however walls move. Walls that follow a mesh change
+ * their shape: after they have moved, the next search builds the grid anew. A particle near a
+ * periodic face meets images of triangles: the search is repeated at its position less whole
+ * periods. All triangles in reach of one image of a facet are one wall neighbor.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

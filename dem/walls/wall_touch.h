@@ -16,12 +16,13 @@
  *   f         force of the normal law, ~ d^m
  *   a         angle of the edge
  *
- * So the force is continuous in position, and has a potential: elastic bounces keep their energy.
- * p is so large that a face adds nothing where its edge is out of reach (exp(-sqrt(2R/d))), and that
- * a sphere on an edge is 2^(1/p) of its overlap deeper: 12 % at 10 degrees, 1 % at 1. The law gets
- * the overlap at which its force is f |grad d|, and the direction of grad d. At an edge with more
- * faces p is their mean, weighted by d_i^p. At a sharper edge p would be m + 1, which is the sum of
- * both contacts; they are continuous without it as the plane of one is not in reach on the other.
+ * So the force is continuous in position, and has a potential: elastic bounces keep their energy. p
+ * is so large that a face adds nothing where its edge is out of reach (exp(-sqrt(2R/d))), and that
+ * a sphere on an edge has little more overlap than on one face, 2^(1/p) times: 12 % more at 10
+ * degrees, 1 % at 1 degree. The law gets the overlap at which its force is f |grad d|, and the
+ * direction of grad d. At an edge with more faces p is their mean, weighted by d_i^p. At a sharper
+ * edge p would be m + 1, which is the sum of both contacts; they are continuous without it as the
+ * plane of one is not in reach on the other.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -8,16 +8,16 @@
  * triangles were given. Planes, cylinders and spheres are one facet each and have one side;
  * triangles have two.
  *
- * Along periodic axes triangles have images: facets continue through a periodic face, and a particle
- * touches whatever image is near. No image is stored: a particle is compared with a triangle at its
- * own position less a whole number of periods (wall_images.c).
+ * Along periodic axes triangles have images: facets continue through a periodic face, and a
+ * particle touches whatever image is near. No image is stored: a particle is compared with a
+ * triangle at its own position less a whole number of periods (wall_images.c).
  *
  * A moving wall is stored in its own reference frame (wall_motion.h). A wall that follows a mesh
  * has its triangles at their present positions, but keeps the facets of the surface that was given
  * (wall_trajectory.c).
  *
- * With several ranks, each holds the triangles near its particles and their facets, in the order and
- * with the numbers of all (wall_records.c); which these are: ranks/wall_store.h.
+ * With several ranks, each holds the triangles near its particles and their facets, in global order
+ * and with global numbers (wall_records.c); ranks/wall_store.h selects them.
  *
  * Search for particles near walls: walls/wall_search.h; contact points: walls/wall_touch.h.
  *

@@ -13,7 +13,7 @@ over the same window of simulated time.
     case_command.py, __main__.py, options.py    the commands demCost and dem cost
     report.py       tables on the terminal, cost.csv, the picture
     target.py       the search for a target error
-    best_buy.py     the cheapest level within the target error, in one sentence
+    best_buy.py     the longest step within the target error, in one sentence
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

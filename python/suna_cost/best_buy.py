@@ -1,5 +1,5 @@
-"""best_buy.py -- the best buy in one sentence: the cheapest step whose worst quantity is within the
-target error.
+"""best_buy.py -- the best buy in one sentence: the longest step whose worst quantity is within the
+target error. The longest is the cheapest, and no noise of the measured times can change the choice.
 
 "Within" includes the uncertainty: error + uncertainty <= target. If no level satisfies that,
 
@@ -20,9 +20,9 @@ def percent(x, digits=2):
     return f"{100*x:.{digits}g} %"
 
 
-def cheapest(series, fits):
+def longest(series, fits):
     found = [level for level in series.levels if fits(level)]
-    return min(found, key=lambda level: level.seconds) if found else None
+    return max(found, key=lambda level: level.step) if found else None
 
 
 def is_indistinct(study, series, level):
@@ -116,7 +116,7 @@ def choose(study):
     series = study.series[0]
     for how, fits in (("within", lambda level: level.bound()[0] <= study.target),
                       ("indistinct", lambda level: is_indistinct(study, series, level))):
-        found = cheapest(series, fits)
+        found = longest(series, fits)
         if found:
             return how, found
     return "none", next((level for level in reversed(series.levels) if level.runs),

@@ -1,4 +1,4 @@
-"""target.py -- `-target E` of `dem cost` and `demCost`: search the cheapest step within the target error;
+"""target.py -- `-target E` of `dem cost` and `demCost`: search the longest step within the target error;
 for a scene, put it into a copy (for a case: case_target.py).
 
 The copy has the scene's text, and after it the chosen settings; of repeated entries the last one

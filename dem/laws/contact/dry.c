@@ -10,7 +10,7 @@
  *   alpha  depends on e and the exponent of the normal law         [1]   see restitution.h
  *
  * At the end of a contact the dashpot pulls harder than the spring repels, so F_n < 0 for a moment.
- * The asked e results only if this attraction is allowed, which is the default. Clamped at zero, a
+ * A contact returns e only if this attraction is allowed, which is the default. Clamped at zero, a
  * contact, linear or Hertzian, returns 0.33 for e = 0.2, 0.47 for 0.4, 0.55 for 0.5, 0.63 for 0.6,
  * 0.81 for 0.8 and 0.90 for 0.9.
  *
@@ -19,8 +19,8 @@
  * Japanese, 2012), linear and Hertzian, and (8), (9) of Open DEM Japan, Hooke/Hysteresis normal
  * contact model (in Japanese, 2025) are the same law. Changed from these notes: e = 0, which has no
  * logarithm, is critical damping; max(F_n, 0) of the latter's (10) is `attraction clamped`, which
- * keeps the attraction of adhesion.
- * Not here: restitution that depends on speed in a liquid (see stokesDamping), plasticity, adhesion.
+ * keeps the attraction of adhesion. Not here: restitution that depends on speed in a liquid (see
+ * stokesDamping), plasticity, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * dry.h -- the law of dry.c on one row.
+ * dry.h -- dashpot force of one contact, the row function of dry.c, which has the formula and its
+ * source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

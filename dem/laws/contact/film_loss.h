@@ -1,10 +1,11 @@
 /*
- * film_loss.h -- rebound speed that a fluid film takes, for the relevance of stokesDamping and lubrication.
+ * film_loss.h -- fraction of the rebound speed that is lost in the fluid film; decides whether a
+ * scene needs stokesDamping or lubrication.
  *
  *   1 - exp(-35/St*),   St* = St (1 + rho_f/(2 rho_p)),   St = m* v/(6 pi mu R*^2)
  *
  *   St   Stokes number of an impact at the impactSpeed of the normal law      [1]
- *   St*  of particles with the added mass of an isolated sphere          [1]
+ *   St*  the same with the added mass of an isolated sphere          [1]
  *
  * Source: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543.
  *

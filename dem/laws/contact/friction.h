@@ -1,6 +1,6 @@
 /*
- * friction.h -- what the friction laws share: settings, the law on a row, energy. A law is a header
- * comment, its stiffness k_t of a row, and its settings beyond these.
+ * friction.h -- what the friction laws share: settings, force of one contact, energy. Each law adds
+ * its stiffness k_t and its own settings.
  *
  *   F_t = -k_t xi - eta_t s,    |F_t| <= mu max(F_n, 0)         see slider.h
  *

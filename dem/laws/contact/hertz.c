@@ -19,12 +19,13 @@
  *
  * A stiffness may be given in place of 4/3 E*; then the Rayleigh time is not a limit.
  *
+ * At t_c/20 an elastic impact keeps its speed within 0.1 %, at three times that within 0.9 %.
+ *
  * Source: Hertz, J. reine angew. Math. 92 (1882) 156; duration: Johnson, Contact Mechanics (1985),
- * section 11.4. At t_c/20 an elastic impact keeps its speed within 0.1 %, at three times that within
- * 0.9 %. Eqs. (6), (7), (10), (11)
- * of Kasuga, Discrete element method (in Japanese, 2012) are the same law; changed: d is the
- * positive overlap, because delta of (7) is negative in contact and has no root in (10).
- * Not here: damping (see dry, stokesDamping), friction (see mindlin), plastic contact, adhesion.
+ * section 11.4. Eqs. (6), (7), (10), (11) of Kasuga, Discrete element method (in Japanese, 2012)
+ * are the same law; changed: d is the positive overlap, because delta of (7) is negative in contact
+ * and has no root in (10). Not here: damping (see dry, stokesDamping), friction (see mindlin),
+ * plastic contact, adhesion.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * hertz.h -- the law of hertz.c on one row.
+ * hertz.h -- normal force of one contact, the row function of hertz.c, which has the formula and
+ * its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * hooke.h -- the law of hooke.c on one row.
+ * hooke.h -- normal force of one contact, the row function of hooke.c, which has the formula and
+ * its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * hooke_hysteresis.h -- the law of hooke_hysteresis.c on one row.
+ * hooke_hysteresis.h -- normal force of one contact, the row function of hooke_hysteresis.c, which
+ * has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

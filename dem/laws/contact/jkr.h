@@ -1,5 +1,6 @@
 /*
- * jkr.h -- the law of jkr.c on one row: adhesive force before friction, and the force itself.
+ * jkr.h -- row functions of jkr.c, which has the formula: the adhesive force that friction needs,
+ * and the force of one contact.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

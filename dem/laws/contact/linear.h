@@ -1,5 +1,6 @@
 /*
- * linear.h -- the law of linear.c on one row.
+ * linear.h -- friction of one contact, the row function of linear.c, which has the formula and its
+ * source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * mindlin.h -- the law of mindlin.c on one row.
+ * mindlin.h -- friction of one contact, the row function of mindlin.c, which has the formula and
+ * its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * rolling_constant.h -- the law of rolling_constant.c on one row.
+ * rolling_constant.h -- rolling torque of one contact, the row function of rolling_constant.c,
+ * which has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

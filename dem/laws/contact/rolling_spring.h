@@ -1,5 +1,6 @@
 /*
- * rolling_spring.h -- the law of rolling_spring.c on one row.
+ * rolling_spring.h -- rolling torque of one contact, the row function of rolling_spring.c, which
+ * has the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

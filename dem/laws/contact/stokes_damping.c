@@ -13,27 +13,28 @@
  *   beta   35 in Legendre et al.                                   [1]
  *   alpha  depends on e and the exponent of the normal law         [1]   see restitution.h
  *
- * For a sphere and a wall St is the usual rho_p d v/(9 mu). alpha needs L = -ln e = A + beta/St,
- * A = -ln e_max, only as L/sqrt(pi^2 + L^2). With St = S/D, S = m* v, D = 6 pi mu R*^2, it is
- * computed as
+ * For a sphere and a wall St is the usual rho_p d v/(9 mu).
+ *
+ * The force is computed in stokes_damping.h. alpha needs L = -ln e = A + beta/St, A = -ln e_max,
+ * only as L/sqrt(pi^2 + L^2). With St = S/D, S = m* v, D = 6 pi mu R*^2, it is
  *
  *   alpha = sqrt(2 (p + 1)) T/sqrt(pi^2 S^2 + T^2),   T = A S + beta D
  *
  * which is finite for v = 0, mu = 0, e_max = 0 and e_max = 1: St -> 0 gives critical damping, mu =
  * 0 gives e_max. No logarithm is taken in the loop.
  *
- * Added mass (in St only; the motion itself is not changed here): each particle counts m_i + C_M
- * rho_f V_i, with C_M = 1/2 wherever the fluid's density is known (fluidDensity, or the run's
- * density), as in the fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M
- * rho_f/rho_p, m* becomes f_a m* at a wall and f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m*
+ * Added mass changes St only, not the motion. Each particle counts as m_i + C_M rho_f V_i, with
+ * C_M = 1/2 wherever the fluid's density is known (fluidDensity, or the run's density), as in the
+ * fit of beta = 35. Where virtualMass acts, m* has it already. With f = 1 + C_M rho_f/rho_p, m*
+ * becomes f_a m* at a wall and f_a f_b (rho_a + rho_b)/(f_a rho_a + f_b rho_b) m*
  * in a pair. This is exact at a wall, for two particles of equal density and any sizes, and for two
  * of equal size and any densities; for unequal sizes and densities it lies between f_a and f_b
  * times m*, as the exact value does.
  *
- * Reason for keeping the speed of the first contact: with the instantaneous signed velocity in St,
- * as in LIGGGHTS, e = 0.48 at St = 50 comes out as 0.08. That form is an option (speed
- * instantaneous) for comparison only. The dashpot may pull while the contact opens; clamped, small
- * e is far too large (0.15 instead of 0.001).
+ * The impact speed is kept because with the instantaneous signed velocity in St, as in LIGGGHTS,
+ * e = 0.48 at St = 50 comes out as 0.08. That form is an option (speed instantaneous), for
+ * comparison only. The dashpot may pull while the contact opens; clamped, a small e is far too
+ * large (0.15 instead of 0.001).
  *
  * Source: Legendre, Zenit, Daniel, Guiraud, Chem. Eng. Sci. 61 (2006) 3543; measured: Gondret,
  * Lance, Petit, Phys. Fluids 14 (2002) 643; Joseph, Zenit, Hunt, Rosenwinkel, J. Fluid Mech. 433

@@ -1,5 +1,6 @@
 /*
- * stokes_damping.h -- the law of stokes_damping.c on one row.
+ * stokes_damping.h -- dashpot force of one contact, the row function of stokes_damping.c, which has
+ * the formula and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,5 +1,6 @@
 /*
- * viscous.h -- the law of viscous.c on one row.
+ * viscous.h -- dashpot force of one contact, the row function of viscous.c, which has the formula
+ * and its source.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

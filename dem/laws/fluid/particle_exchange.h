@@ -3,7 +3,8 @@
  *
  * Slip factor, force F - K u on the fluid (u: its velocity after the step), rate at which drag
  * removes slip, Sauter mean diameter of a mixture, under-relaxation factor of the pressure gradient
- * and of Du/Dt at light particles. docs/theory-coupling.md, "Exchange", has the reasons.
+ * and of Du/Dt at light particles. step/body_window.c computes R and q;
+ * docs/theory-coupling.md, "Exchange", has the reasons.
  *
  *   gamma = 1/e^2, 1/e where the drag law contains the pressure gradient (set III)
  *   K = R/T,  F = K u* - J/T

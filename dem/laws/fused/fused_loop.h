@@ -15,7 +15,7 @@
  * In one long loop the latencies of square roots and divisions would add up; in short ones the
  * latencies of several rows overlap.
  *
- * History is cleared where partners are apart, as step/sweep_contacts.c does after an effect.
+ * History is cleared where partners are apart, as step/contact_effects.c does after an effect.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
