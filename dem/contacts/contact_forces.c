@@ -159,8 +159,8 @@ enum
     WORD = 64    /* rows of a word of `deferred` */
 };
 
-/* Marks the rows that a particle sums when they are no more in the ring; rows of walls are not among
-   them, as the oldest row in the ring is before those. *count: their number. */
+/* Marks the rows that a particle sums when they are no more in the ring; never rows of walls, as the
+   oldest row in the ring is before them. *count: their number. */
 static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_rows *r, size_t n,
                          size_t *count)
 {

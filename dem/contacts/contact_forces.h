@@ -3,11 +3,11 @@
  * particle scalars.
  *
  * Forces and moments are records in slots. In a small scene the slot of a row is its number. In a
- * large one rows of pairs pass through the first slots, a ring buffer that stays in the second-level
- * cache: a particle is summed shortly after its last row has been computed, and then the slot is used
- * again. Rows that are summed later are deferred: they are copied to slots of their own behind the ring.
- * Rows of walls have slots of their own, too. The ring is the smallest in which at most one row in eight
- * is deferred; a scene without one has no ring.
+ * large one rows of pairs pass through the first slots, a ring buffer that stays in the
+ * second-level cache: a particle is summed shortly after its last row has been computed, and then
+ * the slot is used again. Rows that are summed later are deferred: they are copied to slots of
+ * their own behind the ring. Rows of walls have slots of their own, too. The ring is the smallest
+ * in which at most one row in eight is deferred; a scene that needs a larger one has none.
  *
  * So after a step only rows of walls have their forces. `all_rows` keeps the forces of all rows after
  * an observed step. A step is observed if something reads the state after it: the end of a window, a
@@ -23,8 +23,8 @@
 
 enum
 {
-    DEM_FORCE_BUFFER_ROWS = 4096,      /* slots of the smallest ring, 256 kB of forces: two layers of a
-                                          bed of 40 by 40 */
+    DEM_FORCE_BUFFER_ROWS = 4096,      /* slots of the smallest ring, 256 kB of forces: two layers
+                                          of a bed of 40 by 40 */
     DEM_FORCE_BUFFER_MAX_ROWS = 16384  /* slots of the largest ring */
 };
 
@@ -136,7 +136,8 @@ static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c
 
 void dem_contact_forces_free(struct dem_contact_forces *);
 
-/* Bytes held; of the smallest ring; of a row of a pair in a scene without ring, or at most with one. */
+/* Bytes held; of the smallest ring; of a row of a pair in a scene without ring, or at most with
+   one. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int ring);

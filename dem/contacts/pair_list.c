@@ -23,8 +23,8 @@ size_t dem_pair_list_bytes(const struct dem_pair_list *c)
            c->start_capacity*sizeof *c->start;
 }
 
-/* Keys of the order of a particle's sum: partner id, then image; walls after all particles, by facet
-   (the list of wall neighbors is in that order). */
+/* Keys of the order of a particle's sum: partner id, then image; walls after all particles, by
+   facet (the list of wall neighbors is in that order). */
 static void list_keys(const struct dem_pair_list *c, const struct dem_particles *particles,
                       const uint32_t *entry, uint32_t count, struct dem_sort_pair *pair)
 {
