@@ -159,25 +159,10 @@ enum
     WORD = 64    /* rows of a word of `deferred` */
 };
 
-/* Classes of walls are last: their first row, or the number of rows. */
-static uint32_t find_walls(const struct dem_contact_rows *r, const struct dem_pair_list *p)
-{
-    for (int s = 0; s < r->classes; s++)
-    {
-        const struct dem_segment *const segment = &r->segment[s];
-
-        if (segment->count > 0 && p->pair[r->pair[segment->first]].wall)
-        {
-            return segment->first;
-        }
-    }
-    return r->n;
-}
-
-/* Marks the rows before `walls` that a particle sums when they are no more in the ring. *count: their
-   number. */
-static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_rows *r,
-                         uint32_t walls, size_t n, size_t *count)
+/* Marks the rows that a particle sums when they are no more in the ring; never rows of walls, as the
+   oldest row in the ring is before them. *count: their number. */
+static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_rows *r, size_t n,
+                         size_t *count)
 {
     const size_t words = r->n/WORD + 1;
 
@@ -186,14 +171,16 @@ static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_
     memset(c->deferred, 0, words*sizeof *c->deferred);
     for (size_t i = 0; i < n; i++)
     {
-        const int64_t oldest = dem_contact_forces_oldest(r, i);
+        const int64_t oldest = dem_contact_forces_oldest(c, r, i);
 
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
             const uint32_t row = r->entry[e] >> DEM_ENTRY_SLOT_SHIFT;
-            const uint64_t marked = (row < walls) & (row < oldest);
 
-            c->deferred[row/WORD] |= marked << row%WORD;
+            if (row < oldest)
+            {
+                c->deferred[row/WORD] |= UINT64_C(1) << row%WORD;
+            }
         }
     }
     *count = 0;
@@ -207,15 +194,15 @@ static int mark_deferred(struct dem_contact_forces *c, const struct dem_contact_
 
 /* After the ring: the slot without a row, the slots of walls, the deferred slots. */
 static int list_own_slots(struct dem_contact_forces *c, const struct dem_contact_rows *r,
-                          uint32_t walls, size_t deferred)
+                          size_t deferred)
 {
-    const size_t n = 1 + r->n - walls + deferred;
+    const size_t n = 1 + r->n - r->walls + deferred;
 
     DEM_TRY(DEM_GROW(c->slot_row, c->slot_row_capacity, n));
     uint32_t *to = c->slot_row;
 
     *to++ = r->n;
-    for (uint32_t row = walls; row < r->n; row++)
+    for (uint32_t row = r->walls; row < r->n; row++)
     {
         *to++ = row;
     }
@@ -228,7 +215,6 @@ static int list_own_slots(struct dem_contact_forces *c, const struct dem_contact
         }
     }
     c->own_slots = n;
-    c->ring = DEM_FORCE_BUFFER_ROWS;
     return DEM_OK;
 }
 
@@ -240,52 +226,61 @@ static uint32_t slot_of_deferred(const struct dem_contact_forces *c, uint32_t ro
            (uint32_t)__builtin_popcountll(before);
 }
 
+/* The slot of a row that is not in the ring when a particle sums it. */
+static uint32_t own_slot(const struct dem_contact_forces *c, const struct dem_contact_rows *r,
+                         uint32_t row)
+{
+    return row >= r->n       ? c->ring
+           : row >= r->walls ? c->ring + 1 + (row - r->walls)
+                             : slot_of_deferred(c, row);
+}
+
 static void assign_entries(const struct dem_contact_forces *c, struct dem_contact_rows *r,
-                          uint32_t walls, size_t n)
+                           size_t n)
 {
     enum { BITS = (1 << DEM_ENTRY_SLOT_SHIFT) - 1 };
 
+    const uint32_t in_ring = c->ring << DEM_ENTRY_SLOT_SHIFT, walls = r->walls;
+
     for (size_t i = 0; i < n; i++)
     {
-        const int64_t oldest = dem_contact_forces_oldest(r, i);
+        const int64_t oldest = dem_contact_forces_oldest(c, r, i);
 
         for (uint32_t e = r->start[i]; e < r->start[i + 1]; e++)
         {
-            const uint32_t row = r->entry[e] >> DEM_ENTRY_SLOT_SHIFT;
-            const uint32_t slot = row >= r->n    ? c->ring
-                                   : row >= walls ? c->ring + 1 + (row - walls)
-                                   : row < oldest ? slot_of_deferred(c, row)
-                                                  : row & (c->ring - 1);
+            const uint32_t entry = r->entry[e], row = entry >> DEM_ENTRY_SLOT_SHIFT;
 
-            r->entry[e] = slot << DEM_ENTRY_SLOT_SHIFT | (r->entry[e] & BITS);
+            r->entry[e] = row >= oldest && row < walls    /* most */
+                              ? entry & (in_ring - 1)
+                              : own_slot(c, r, row) << DEM_ENTRY_SLOT_SHIFT | (entry & BITS);
         }
     }
     for (int s = 0; s < r->classes; s++)
     {
-        if (r->segment[s].first >= walls)
+        if (r->segment[s].first >= r->walls)
         {
-            r->segment[s].slot = c->ring + 1 + (r->segment[s].first - walls);
+            r->segment[s].slot = c->ring + 1 + (r->segment[s].first - r->walls);
         }
     }
 }
 
 int dem_contact_forces_assign_slots(struct dem_contact_forces *c, struct dem_contact_rows *r,
-                                  const struct dem_pair_list *p, size_t n)
+                                    size_t n)
 {
-    const uint32_t walls = find_walls(r, p);
     size_t deferred;
 
-    c->ring = 0;
     c->own_slots = 0;
-    if (r->n <= DEM_FORCE_BUFFER_ROWS)
+    for (c->ring = DEM_FORCE_BUFFER_ROWS; c->ring <= DEM_FORCE_BUFFER_MAX_ROWS && c->ring < r->n;
+         c->ring *= 2)
     {
-        return DEM_OK;
+        DEM_TRY(mark_deferred(c, r, n, &deferred));
+        if (ROWS_PER_DEFERRED*deferred <= r->n)
+        {
+            DEM_TRY(list_own_slots(c, r, deferred));
+            assign_entries(c, r, n);
+            return DEM_OK;
+        }
     }
-    DEM_TRY(mark_deferred(c, r, walls, n, &deferred));
-    if (ROWS_PER_DEFERRED*deferred <= r->n)
-    {
-        DEM_TRY(list_own_slots(c, r, walls, deferred));
-        assign_entries(c, r, walls, n);
-    }
+    c->ring = 0;
     return DEM_OK;
 }

@@ -3,11 +3,11 @@
  * particle scalars.
  *
  * Forces and moments are records in slots. In a small scene the slot of a row is its number. In a
- * large one rows of pairs pass through the first DEM_FORCE_BUFFER_ROWS slots, a ring buffer that stays
- * in the second-level cache: a particle is summed shortly after its last row has been computed, and
- * then the slot is used again. Rows that are summed later are deferred: they are copied to slots of
- * their own behind the ring. Rows of walls have slots of their own, too. The ring is used where at most
- * one row in eight is deferred.
+ * large one rows of pairs pass through the first slots, a ring buffer that stays in the
+ * second-level cache: a particle is summed shortly after its last row has been computed, and then
+ * the slot is used again. Rows that are summed later are deferred: they are copied to slots of
+ * their own behind the ring. Rows of walls have slots of their own, too. The ring is the smallest
+ * in which at most one row in eight is deferred; a scene that needs a larger one has none.
  *
  * So after a step only rows of walls have their forces. `all_rows` keeps the forces of all rows after
  * an observed step. A step is observed if something reads the state after it: the end of a window, a
@@ -23,8 +23,9 @@
 
 enum
 {
-    DEM_FORCE_BUFFER_ROWS = 4096  /* slots of the ring, 256 kB of forces: two layers of a bed of 40 by
-                                     40 */
+    DEM_FORCE_BUFFER_ROWS = 4096,      /* slots of the smallest ring, 256 kB of forces: two layers
+                                          of a bed of 40 by 40 */
+    DEM_FORCE_BUFFER_MAX_ROWS = 16384  /* slots of the largest ring */
 };
 
 /* contact force of a row; one cache line */
@@ -54,7 +55,7 @@ struct dem_contact_forces
     int moments, has_energy;
     /* 1: bonds, averages or the virial read the forces of all rows */
     int all_rows;
-    /* slots of the ring: DEM_FORCE_BUFFER_ROWS, or 0 */
+    /* slots of the ring, a power of two; 0: none */
     uint32_t ring;
     /* per slot */
     struct dem_contact_force *force;
@@ -113,11 +114,11 @@ static inline uint32_t dem_contact_forces_slot(const struct dem_contact_forces *
 
 /* The oldest row in the ring when a particle is summed, at the end of the batch of rows that holds the
    last one it needs; below 0 while the ring has not been filled. */
-static inline int64_t dem_contact_forces_oldest(const struct dem_contact_rows *rows,
+static inline int64_t dem_contact_forces_oldest(const struct dem_contact_forces *c,
+                                                const struct dem_contact_rows *rows,
                                                 size_t particle)
 {
-    return (int64_t)rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS -
-           DEM_FORCE_BUFFER_ROWS;
+    return (int64_t)rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS - (int64_t)c->ring;
 }
 
 /* The row of an entry of a particle; the one past the last where the entry has none. */
@@ -126,7 +127,7 @@ static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c
                                               uint32_t entry)
 {
     const uint32_t slot = entry >> DEM_ENTRY_SLOT_SHIFT;
-    const uint32_t oldest = (uint32_t)dem_contact_forces_oldest(rows, particle);
+    const uint32_t oldest = (uint32_t)dem_contact_forces_oldest(c, rows, particle);
 
     return !c->ring         ? slot
            : slot < c->ring ? oldest + ((slot - oldest) & (c->ring - 1))
@@ -135,7 +136,8 @@ static inline uint32_t dem_contact_forces_row(const struct dem_contact_forces *c
 
 void dem_contact_forces_free(struct dem_contact_forces *);
 
-/* Bytes held; of the ring; of a row of a pair in a scene without ring, or at most with one. */
+/* Bytes held; of the smallest ring; of a row of a pair in a scene without ring, or at most with
+   one. */
 size_t dem_contact_forces_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_ring_bytes(const struct dem_contact_forces *);
 size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int ring);
@@ -143,7 +145,7 @@ size_t dem_contact_forces_bytes_per_row(const struct dem_contact_forces *, int r
 /* After rows and adjacency are built: choose whether there is a ring, and assign slots to entries and
    segments, which have the numbers of rows so far. n: owned particles. */
 int dem_contact_forces_assign_slots(struct dem_contact_forces *, struct dem_contact_rows *,
-                                    const struct dem_pair_list *, size_t n);
+                                    size_t n);
 
 /* Energies and rates of `capacity` rows, zero for the first n. */
 int dem_contact_forces_resize(struct dem_contact_forces *, size_t n, size_t capacity);

@@ -65,8 +65,11 @@ static void number_rows(struct dem_contact_rows *c, struct dem_pair_list *p, con
     uint32_t row = 0;
     size_t k = 0;
 
+    c->walls = 0;
     for (int s = 0; s < c->classes; s++)
     {
+        const size_t first = k;
+
         c->segment[s].first = c->segment[s].slot = row;
         for (; k < p->n && p->pair[k].class == s; k++)
         {
@@ -86,6 +89,7 @@ static void number_rows(struct dem_contact_rows *c, struct dem_pair_list *p, con
             c->partners[row] = c->partners[row - 1];
             c->pair[row] = from[row] = DEM_ROW_NONE;
         }
+        c->walls = first < k && !p->pair[first].wall ? row : c->walls;
     }
     c->n = row;
     for (int k = 0; k < DEM_PADDING_ROWS; k++)
@@ -146,7 +150,7 @@ int dem_contact_rows_build_adjacency(struct dem_contact_rows *c, const struct de
         {
             const struct dem_pair *const q = &p->pair[p->entry[e] >> 1];
             const uint32_t near = q->row != DEM_ROW_NONE,
-                           needs = (near & !q->wall) ? q->row + 1 : 0;
+                           needs = q->row < c->walls ? q->row + 1 : 0;
 
             c->entry[at] = q->row << DEM_ENTRY_SLOT_SHIFT | (p->entry[e] & DEM_ENTRY_SIDE);
             at += near;

@@ -52,6 +52,7 @@ struct dem_segment
 struct dem_contact_rows
 {
     uint32_t n;                          /* with padding */
+    uint32_t walls;                      /* the first row of a wall, or n: their classes are last */
     size_t capacity;
     uint32_t *pair;                      /* DEM_ROW_NONE on padding */
     struct dem_row_partners *partners;   /* padding repeats the last row of its class;

@@ -62,7 +62,7 @@ int dem_contacts_prune(struct dem_contacts *c, const struct dem_particles *parti
     DEM_TRY(dem_contact_forces_resize(&c->forces, c->rows.n + DEM_PADDING_ROWS,
                                       c->rows.capacity));
     DEM_TRY(dem_contact_rows_build_adjacency(&c->rows, &c->pairs, particles->n));
-    DEM_TRY(dem_contact_forces_assign_slots(&c->forces, &c->rows, &c->pairs, particles->n));
+    DEM_TRY(dem_contact_forces_assign_slots(&c->forces, &c->rows, particles->n));
     return c->history.saved > 0 ? DEM_OK : dem_contact_forces_allocate(&c->forces, &c->rows);
 }
 

@@ -23,43 +23,10 @@ size_t dem_pair_list_bytes(const struct dem_pair_list *c)
            c->start_capacity*sizeof *c->start;
 }
 
-/* The order of a particle's sum: partner id, then image; walls after all particles, by facet (the
-   list of wall neighbors is in that order). */
-static int comes_later(const struct dem_pair_list *c, const struct dem_particles *particles,
-                       uint32_t a, uint32_t b)
-{
-    const struct dem_pair *const s = &c->pair[a >> 1], *const t = &c->pair[b >> 1];
-
-    if (s->wall || t->wall)
-    {
-        return s->wall > t->wall || (s->wall && t->wall && s->j > t->j);
-    }
-    const int64_t is = particles->record[a & 1 ? s->i : s->j].id,
-                  it = particles->record[b & 1 ? t->i : t->j].id;
-
-    return is > it || (is == it && s->shift > t->shift);
-}
-
-static void sort_by_insertion(const struct dem_pair_list *c, const struct dem_particles *particles,
-                              uint32_t *entry, uint32_t count)
-{
-    for (uint32_t k = 1; k < count; k++)
-    {
-        const uint32_t here = entry[k];
-        uint32_t m = k;
-
-        for (; m > 0 && comes_later(c, particles, entry[m - 1], here); m--)
-        {
-            entry[m] = entry[m - 1];
-        }
-        entry[m] = here;
-    }
-}
-
-/* The same in linear time: a large particle may have thousands of small neighbours. `pair`:
-   capacity 2 count. */
-static void sort_by_radix(const struct dem_pair_list *c, const struct dem_particles *particles,
-                          uint32_t *entry, uint32_t count, struct dem_sort_pair *pair)
+/* Keys of the order of a particle's sum: partner id, then image; walls after all particles, by
+   facet (the list of wall neighbors is in that order). */
+static void list_keys(const struct dem_pair_list *c, const struct dem_particles *particles,
+                      const uint32_t *entry, uint32_t count, struct dem_sort_pair *pair)
 {
     for (uint32_t k = 0; k < count; k++)
     {
@@ -71,13 +38,26 @@ static void sort_by_radix(const struct dem_pair_list *c, const struct dem_partic
         pair[k] =
             (struct dem_sort_pair){.hi = other, .lo = q->wall ? 0 : q->shift, .index = entry[k]};
     }
-    dem_sort_pairs(pair, count, pair + count);
-    for (uint32_t k = 0; k < count; k++)
+}
+
+static void sort_by_insertion(struct dem_sort_pair *pair, uint32_t count)
+{
+    for (uint32_t k = 1; k < count; k++)
     {
-        entry[k] = pair[k].index;
+        const struct dem_sort_pair here = pair[k];
+        uint32_t m = k;
+
+        for (; m > 0 && (pair[m - 1].hi > here.hi ||
+                         (pair[m - 1].hi == here.hi && pair[m - 1].lo > here.lo));
+             m--)
+        {
+            pair[m] = pair[m - 1];
+        }
+        pair[m] = here;
     }
 }
 
+/* A large particle may have thousands of small neighbors: they are sorted in linear time. */
 static int sort_entries(struct dem_pair_list *c, const struct dem_particles *particles)
 {
     /* limit of insertion sort; equal spheres: about 15 */
@@ -90,12 +70,6 @@ static int sort_entries(struct dem_pair_list *c, const struct dem_particles *par
     {
         uint32_t *const entry = c->entry + c->start[i];
         const uint32_t count = c->start[i + 1] - c->start[i];
-
-        if (count <= INSERTION_LIMIT)
-        {
-            sort_by_insertion(c, particles, entry, count);
-            continue;
-        }
         const int grown = DEM_GROW(pair, capacity, 2*(size_t)count);
 
         if (grown)
@@ -103,7 +77,19 @@ static int sort_entries(struct dem_pair_list *c, const struct dem_particles *par
             dem_memory_free(pair);
             return grown;
         }
-        sort_by_radix(c, particles, entry, count, pair);
+        list_keys(c, particles, entry, count, pair);
+        if (count <= INSERTION_LIMIT)
+        {
+            sort_by_insertion(pair, count);
+        }
+        else
+        {
+            dem_sort_pairs(pair, count, pair + count);
+        }
+        for (uint32_t k = 0; k < count; k++)
+        {
+            entry[k] = pair[k].index;
+        }
     }
     dem_memory_free(pair);
     return DEM_OK;

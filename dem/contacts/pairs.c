@@ -8,6 +8,8 @@
 #include "contacts/pairs.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/vec4.h"
+#include "laws/effect.h"
 #include <math.h>
 #include <string.h>
 
@@ -102,17 +104,26 @@ int dem_pairs_check_counts(size_t particles, size_t pairs)
 
 /* ---- pruning --------------------------------------------------------------------------------- */
 
-static int is_pair_near(const struct dem_pairs *s, const struct dem_particles *particles,
-                        const struct dem_pair *q)
+/* Mark the pairs of particles that are near, up to the first one with a wall; returns its index.
+   {x, radius} of a record is one vector, and so is the distance with the sum of radii. */
+DEM_KERNEL
+static size_t mark_near(const struct dem_pairs *s, const struct dem_particles *particles,
+                        const struct dem_pair_list *list, uint8_t *restrict near)
 {
-    const struct dem_particle *const i = &particles->record[q->i],
-                              *const j = &particles->record[q->j];
-    const double *const shift = s->shift[q->shift];
-    const double dx = i->x[0] - j->x[0] + shift[0], dy = i->x[1] - j->x[1] + shift[1],
-                 dz = i->x[2] - j->x[2] + shift[2];
-    const double reach = i->radius + j->radius + s->inner;
+    const struct dem_particle *const record = particles->record;
+    const struct dem_pair *const pair = list->pair;
+    const dem_vec4 sign = {-1.0, -1.0, -1.0, 1.0}, gap = {0.0, 0.0, 0.0, s->inner};
+    size_t k = 0;
 
-    return dx*dx + dy*dy + dz*dz < reach*reach;
+    for (; k < list->n && !pair[k].wall; k++)
+    {
+        const dem_vec4 d = DEM_VEC4(record[pair[k].i].x) + sign*DEM_VEC4(record[pair[k].j].x) +
+                           DEM_VEC4(s->shift[pair[k].shift]) + gap;
+        const dem_vec4 square = d*d;
+
+        near[k] = square[0] + square[1] + square[2] < square[3];
+    }
+    return k;
 }
 
 static int is_wall_near(const struct dem_pairs *s, const struct dem_particles *particles,
@@ -131,10 +142,10 @@ int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *particles,
 
     use_skin(s, DEM_LIST_INNER);
     DEM_TRY(DEM_NEW(near, c->pairs.n + 1));
-    for (size_t k = 0; k < c->pairs.n; k++)
+    /* classes of walls are last */
+    for (size_t k = mark_near(s, particles, &c->pairs, near); k < c->pairs.n; k++)
     {
-        near[k] = (uint8_t)(c->pairs.pair[k].wall ? is_wall_near(s, particles, w, &c->pairs.pair[k])
-                                            : is_pair_near(s, particles, &c->pairs.pair[k]));
+        near[k] = (uint8_t)is_wall_near(s, particles, w, &c->pairs.pair[k]);
     }
     const int status = dem_contacts_prune(c, particles, near);
 

@@ -200,15 +200,13 @@ double dem_totals_extent(const struct dem_state *p, const double along[3])
 
 void dem_totals_wall_force(const struct dem_state *p, int wall, double force[3], double torque[3])
 {
-    struct dem_sum sum[6];
+    struct dem_binned_sum sum;
     double value[6];
 
-    for (int k = 0; k < 6; k++)
-    {
-        dem_sum_clear(&sum[k]);
-    }
-    dem_wall_statistics_sum_forces(p, wall, 1.0, sum);
-    dem_totals_reduce_sums(p, sum, 6, value);
+    dem_binned_sum_clear(&sum);
+    dem_wall_statistics_sum_forces(p, wall, 1.0, &sum);
+    dem_binned_sum_flush(&sum);
+    dem_totals_reduce_sums(p, sum.sum, 6, value);
     memcpy(force, value, 3*sizeof *force);
     memcpy(torque, value + 3, 3*sizeof *torque);
 }
@@ -216,11 +214,11 @@ void dem_totals_wall_force(const struct dem_state *p, int wall, double force[3],
 void dem_totals_wall_impulse(const struct dem_state *p, int wall, double impulse[3],
                              double twist[3])
 {
-    struct dem_sum sum[6];
+    struct dem_binned_sum sum = p->wall_statistics->sum[wall];
     double value[6];
 
-    memcpy(sum, p->wall_statistics->sum + 6*wall, sizeof sum);
-    dem_totals_reduce_sums(p, sum, 6, value);
+    dem_binned_sum_flush(&sum);
+    dem_totals_reduce_sums(p, sum.sum, 6, value);
     memcpy(impulse, value, 3*sizeof *impulse);
     memcpy(twist, value + 3, 3*sizeof *twist);
 }

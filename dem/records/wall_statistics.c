@@ -21,63 +21,82 @@ int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
 {
     if (!b->sum)
     {
-        DEM_TRY(DEM_NEW(b->sum, 6*walls + 1));
+        DEM_TRY(DEM_NEW(b->sum, walls + 1));
         b->walls = walls;
     }
-    for (int k = 0; k < 6*walls; k++)
+    for (int k = 0; k < walls; k++)
     {
-        dem_sum_clear(&b->sum[k]);
+        dem_binned_sum_clear(&b->sum[k]);
     }
     return DEM_OK;
 }
 
-/* 0 for a row without force or moment, as most rows near a wall: zeros do not change an exact
-   sum. */
-static int has_force(const struct dem_contacts *c, uint32_t r)
+/* The force of a row on its wall and its moment about the origin, times `factor`. Returns 0 for a
+   row without force, as most rows near a wall. */
+static int load_of_row(const struct dem_state *p, uint32_t r, double factor, double load[6])
 {
-    const double *const f = dem_contacts_wall_force(c, r)->f;
-    int any = 0;
+    const double *const on_particle = dem_contacts_wall_force(&p->contacts, r)->f;
+    const uint32_t neighbor = dem_contacts_pair(&p->contacts, r)->j;
 
-    for (uint32_t k = 0; k < 3; k++)
+    if (on_particle[0] == 0.0 && on_particle[1] == 0.0 && on_particle[2] == 0.0)
     {
-        any |= f[k] != 0.0 || (c->forces.moments && dem_contacts_wall_moment(c, r)->m[k] != 0.0);
+        return 0;
     }
-    return any;
+    for (int k = 0; k < 3; k++)
+    {
+        load[k] = -factor*on_particle[k];
+    }
+    dem_vec_cross(p->touches.touch[neighbor].point, load, load + 3);
+    return 1;
+}
+
+/* The moment of a row that does not follow from its force, of rolling or of a bond. */
+static void add_moment(const struct dem_state *p, uint32_t r, double factor,
+                       struct dem_binned_sum *to)
+{
+    const double *const m = dem_contacts_wall_moment(&p->contacts, r)->m;
+
+    if (m[0] != 0.0 || m[1] != 0.0 || m[2] != 0.0)
+    {
+        dem_binned_sum_add(to, (const double[6]){[3] = -factor*m[0], -factor*m[1], -factor*m[2]});
+    }
+}
+
+static void sum_segment(const struct dem_state *p, const struct dem_segment *segment, int wall,
+                        double factor, struct dem_binned_sum *sum)
+{
+    for (uint32_t r = segment->first; r < segment->first + segment->count; r++)
+    {
+        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, r);
+        const int own_wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
+        struct dem_binned_sum *const to = sum + (wall < 0 ? own_wall : 0);
+        double load[6];
+
+        if (wall >= 0 && wall != own_wall)
+        {
+            continue;
+        }
+        if (load_of_row(p, r, factor, load))
+        {
+            dem_binned_sum_add(to, load);
+        }
+        if (p->contacts.forces.moments)
+        {
+            add_moment(p, r, factor, to);
+        }
+    }
 }
 
 void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double factor,
-                                    struct dem_sum *sum)
+                                    struct dem_binned_sum *sum)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contact_rows *const rows = &p->contacts.rows;
 
-    for (int s = 0; s < c->rows.classes && c->rows.n > 0; s++)
+    for (int s = 0; s < rows->classes && rows->n > 0; s++)
     {
-        const uint32_t end =
-            c->rows.segment[s].first +
-            (p->interaction_table.list[s].pair.with_wall ? c->rows.segment[s].count : 0);
-
-        for (uint32_t r = c->rows.segment[s].first; r < end; r++)
+        if (p->interaction_table.list[s].pair.with_wall)
         {
-            const struct dem_pair *const q = dem_contacts_pair(c, r);
-            const int own_wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
-            const double *const on_particle = dem_contacts_wall_force(c, r)->f;
-            const double f[3] = {-factor*on_particle[0], -factor*on_particle[1],
-                                 -factor*on_particle[2]};
-            struct dem_sum *const to = sum + (wall < 0 ? 6*own_wall : 0);
-            double moment[3];
-
-            if (!has_force(c, r))
-            {
-                continue;
-            }
-            dem_vec_cross(p->touches.touch[q->j].point, f, moment);
-            for (uint32_t k = 0; k < 3 && (wall < 0 || wall == own_wall); k++)
-            {
-                dem_sum_add(&to[k], f[k]);
-                dem_sum_add(&to[3 + k], moment[k]);
-                dem_sum_add(&to[3 + k],
-                            c->forces.moments ? -factor*dem_contacts_wall_moment(c, r)->m[k] : 0.0);
-            }
+            sum_segment(p, &rows->segment[s], wall, factor, sum);
         }
     }
 }
@@ -88,11 +107,7 @@ int dem_wall_statistics_save_forces(struct dem_state *p)
 
     if (b->sum && !b->saved)
     {
-        DEM_TRY(DEM_NEW(b->saved, 6*b->walls + 1));
-        for (int k = 0; k < 6*b->walls; k++)
-        {
-            dem_sum_clear(&b->saved[k]);
-        }
+        DEM_TRY(DEM_NEW(b->saved, b->walls + 1));
         dem_wall_statistics_sum_forces(p, -1, 1.0, b->saved);
     }
     return DEM_OK;
@@ -108,9 +123,13 @@ void dem_wall_statistics_drop_forces(struct dem_wall_statistics *b)
    subject to round-off anyway. */
 static void add_held(struct dem_wall_statistics *b, double kick)
 {
-    for (int k = 0; k < 6*b->walls; k++)
+    for (int w = 0; w < b->walls; w++)
     {
-        dem_sum_add(&b->sum[k], kick*dem_sum_value(&b->saved[k]));
+        dem_binned_sum_flush(&b->saved[w]);
+        for (int k = 0; k < DEM_BINNED_SUMS; k++)
+        {
+            dem_sum_add(&b->sum[w].sum[k], kick*dem_sum_value(&b->saved[w].sum[k]));
+        }
     }
     dem_wall_statistics_drop_forces(b);
 }

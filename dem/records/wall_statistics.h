@@ -12,16 +12,16 @@
 #ifndef DEM_RECORDS_WALL_STATISTICS_H
 #define DEM_RECORDS_WALL_STATISTICS_H
 
-#include "core/sum.h"
+#include "core/binned_sum.h"
 
 struct dem_state;
 
 struct dem_wall_statistics
 {
-    struct dem_sum *sum;   /* 6 a wall: N s, N m s about the origin; NULL: not asked for */
+    struct dem_binned_sum *sum;    /* per wall: N s, N m s about the origin; NULL: not asked for */
     int walls;
-    struct dem_sum *saved;  /* N, N m: saved force of the last sweep,
-                              its rows are gone; NULL: rows exist */
+    struct dem_binned_sum *saved;  /* N, N m: saved force of the last sweep,
+                                     its rows are gone; NULL: rows exist */
 };
 
 /* Start the sums at zero. */
@@ -39,8 +39,8 @@ int dem_wall_statistics_save_forces(struct dem_state *);
 void dem_wall_statistics_drop_forces(struct dem_wall_statistics *);
 
 /* Add the force and torque of the last sweep on one wall (-1: on each of all walls), times
-   `factor`, to 6 sums a wall. */
+   `factor`, to the sums of the wall; flush them before they are read. */
 void dem_wall_statistics_sum_forces(const struct dem_state *, int wall, double factor,
-                                    struct dem_sum *);
+                                    struct dem_binned_sum *);
 
 #endif

@@ -9,7 +9,7 @@
 #include "laws/effect.h"
 #include "laws/scalar.h"
 #include "step/eddies.h"
-#include "step/vec4.h"
+#include "core/vec4.h"
 #include <stddef.h>
 #include <string.h>
 

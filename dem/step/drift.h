@@ -9,7 +9,7 @@
 
 #include "core/math.h"
 #include "particles/particles.h"
-#include "step/vec4.h"
+#include "core/vec4.h"
 
 struct dem_drift_speeds    /* speeds so far, in four lanes; start with zeros */
 {

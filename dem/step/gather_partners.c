@@ -9,7 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/gather_partners.h"
-#include "step/vec4.h"
+#include "core/vec4.h"
 #include <stddef.h>
 
 enum

@@ -8,7 +8,7 @@
  */
 #include "step/store_forces.h"
 #include "laws/effect.h"
-#include "step/vec4.h"
+#include "core/vec4.h"
 #include <string.h>
 
 struct dem_batch_forces dem_store_target(const struct dem_contact_forces *c, uint32_t slot)

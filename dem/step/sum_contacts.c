@@ -6,7 +6,7 @@
  */
 #include "step/sum_contacts.h"
 #include "laws/effect.h"
-#include "step/vec4.h"
+#include "core/vec4.h"
 #include <string.h>
 
 typedef int64_t mask8 __attribute__((vector_size(64), aligned(16)));

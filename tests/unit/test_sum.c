@@ -10,8 +10,8 @@
  */
 #include "tap.h"
 
+#include "core/binned_sum.h"
 #include "core/random.h"
-#include "core/sum.h"
 
 #include <float.h>
 #include <stdint.h>
@@ -212,6 +212,73 @@ static void not_numbers(void)
            "both infinities give a not-a-number");
 }
 
+/* Forces of contacts: of one size, some far smaller, some 0, and later ever larger ones. */
+static double force(uint64_t i, uint64_t k)
+{
+    const uint64_t bits = dem_random_bits(6, i, k, 0);
+    const int smaller = bits%8 == 0 ? (int)(bits/8%60) : 0;
+    const int larger = i > TERMS/2 ? (int)(i/100) : 0;
+
+    return bits%16 == 1 ? 0.0
+                        : ldexp(dem_random_unit(6, i, k, 1) - 0.5, larger - smaller - 30);
+}
+
+/* Any finite double; in the last tenth also infinite ones and not-a-numbers. */
+static double any(uint64_t i, uint64_t k)
+{
+    const uint64_t bits = dem_random_bits(7, i, k, 0);
+    double value;
+
+    memcpy(&value, &bits, sizeof value);
+    return isfinite(value) || 10*i >= 9*(uint64_t)TERMS ? value : 1.0;
+}
+
+/* The number of binned sums that differ from the exact ones, after every thousand terms. */
+static int binned_sums_differ(double (*value)(uint64_t i, uint64_t k))
+{
+    struct dem_binned_sum binned;
+    struct dem_sum exact[DEM_BINNED_SUMS];
+    int bad = 0;
+
+    dem_binned_sum_clear(&binned);
+    memset(exact, 0, sizeof exact);
+    for (uint64_t i = 0; i < TERMS; i++)
+    {
+        double six[DEM_BINNED_SUMS];
+
+        for (uint64_t k = 0; k < DEM_BINNED_SUMS; k++)
+        {
+            six[k] = value(i, k);
+            dem_sum_add(&exact[k], six[k]);
+        }
+        dem_binned_sum_add(&binned, six);
+        if (i%1000 == 999)
+        {
+            struct dem_binned_sum now = binned;
+
+            dem_binned_sum_flush(&now);
+            for (int k = 0; k < DEM_BINNED_SUMS; k++)
+            {
+                bad += !same_bits(dem_sum_value(&now.sum[k]), dem_sum_value(&exact[k]));
+            }
+        }
+    }
+    return bad;
+}
+
+static void binned_sums(void)
+{
+    fenv_t traps;
+    const int forces = binned_sums_differ(force);
+
+    feholdexcept(&traps);
+    const int all = binned_sums_differ(any);
+
+    fesetenv(&traps);
+    TAP_OK(forces == 0, "binned sums of terms of similar size are exact, %d wrong", forces);
+    TAP_OK(all == 0, "binned sums of any doubles are exact, %d wrong", all);
+}
+
 int main(void)
 {
     /* only invalid operations trap: the reference of two terms overflows on purpose */
@@ -223,5 +290,6 @@ int main(void)
     any_order();
     many_additions();
     not_numbers();
+    binned_sums();
     TAP_DONE;
 }

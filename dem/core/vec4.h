@@ -7,8 +7,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_VEC4_H
-#define DEM_STEP_VEC4_H
+#ifndef DEM_CORE_VEC4_H
+#define DEM_CORE_VEC4_H
 
 typedef double dem_vec4 __attribute__((vector_size(32), aligned(16), may_alias));
 
