@@ -1,7 +1,7 @@
 """Drag laws see the fluid without a particle's own wake and own volume (ownWake).
 
-- One sphere that falls obliquely through liquid has the speed of its law, from the start at rest on, at Re 1 and 100 (long: 0.1 to 100);
-  without the entry it is up to 45 % too fast.
+- One sphere that falls obliquely through liquid has the speed of its law, from the start at rest on, at Re 1 and 100
+  (0.1 to 100 in a long run); without the entry it is up to 45 % too fast.
 - Steps of 0.1 to 100 times the relaxation time are stable.
 - The gain of speed by a second sphere remains.
 - A random suspension settles, and a random frozen bed resists, as the law says at its void fraction (1 %).
