@@ -2,6 +2,7 @@
 
 - Refused: two parts of a mesh that overlap, one inside the other or in a corner only; in demPimpleFoam, on one rank and
   on two, its -settle, and the function object.
+- Refused: an overset patch.
 - Accepted: parts that only touch.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -51,4 +52,10 @@ refused("the same part twice is refused", "demPimpleFoam")
 parts(box, ((0.02, 0, 0), (0.04, 0.02, 0.02), (10, 7, 13)))
 case.run("demPimpleFoam")
 claim_ran("parts that touch: runs", case)
+
+parts(box)
+case.append("system/controlDict", 'libs ("liboverset.so");\n')
+case.write("constant/polyMesh/boundary", re.sub(r"type\s+wall;", "type overset;", case.read("constant/polyMesh/boundary")))
+case.flow("(0 0 0)", "walls { type overset; }", "walls { type overset; }")
+claim_refused("an overset patch is refused", case, "The mesh is overset (walls)", "demPimpleFoam")
 finish()
