@@ -41,7 +41,6 @@ class WithSources(sdist):
         for pattern in SOURCES:
             for file in CORE.glob(pattern):
                 name = file.relative_to(CORE)
-                # objects
                 if file.is_file() and "build" not in name.parts:
                     target = Path(base_dir)/"core"/name
                     target.parent.mkdir(parents=True, exist_ok=True)

@@ -6,8 +6,8 @@
  * 3. Join triangles that share an edge and are coplanar (union-find); mark the edges on the rim of
  *    a facet, where all its triangles lie on one side. That may be two triangles: the sides of a
  *    baffle (a plate without thickness) may be cut along different diagonals.
- *    Along periodic axes corners and edges also meet those of images. Each has an offset, a number
- *    of periods, and union-find adds up the offsets along its links. A facet that meets itself a
+ *    Along periodic axes corners and edges also meet images of others. Each image has an offset, a
+ *    number of periods, and union-find adds up the offsets along its links. A facet that meets itself a
  *    period away is joined to its own image and has no end there.
  * 4. Number the facets in the order of the sorted triangles; the plane is taken from the largest
  *    triangle.

@@ -4,7 +4,7 @@
  *
  *   struct dem *d = world(scene, n, seeds);   a run, without MPI; or in two steps:
  *   struct dem_case *c = world_begin(scene); dem_case_...(c, ...); struct dem *d = world_start(c);
- *   world(world_text("... %g ...", x), n, seeds)   a scene from a format; nobody frees texts
+ *   world(world_text("... %g ...", x), n, seeds)   a scene from a format; texts are never freed
  *   world_refused(scene, words);                a claim that it is refused by a sentence with these
  *   world_run(d, 0.1); or world_step(d)       for one step of the scene's time/step
  *   world_at(d, id).x[2]                      position, velocity, spin, contact force and torque
@@ -42,7 +42,7 @@ __attribute__((noreturn)) static inline void world_end(const char *call)
 
 #define WORLD_TRY(call) ((call) ? world_end(#call) : (void)0)
 
-/* room for a text, which lives until the program ends: nobody frees it */
+/* memory for a text; never freed */
 static inline char *world_room(size_t bytes)
 {
     static struct room

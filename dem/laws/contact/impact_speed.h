@@ -128,8 +128,8 @@ static inline double dem_impact_time_limit(const struct dem_impact_spring *sprin
     return contact;
 }
 
-/* kn of all rows, dem_impact_stiffness of each. A loop of its own before that of a law: the power of
-   a stiffness that is not given would cost one that is. */
+/* Sets kn of all rows. Runs before the loop of a law, so that a given stiffness does not pay for the
+   power function that a derived one needs. */
 DEM_MATH void dem_impact_stiffnesses(const struct dem_impact_spring *spring,
                                      struct dem_contact_batch *restrict b)
 {
