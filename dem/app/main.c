@@ -133,7 +133,12 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     return_large_blocks();
-    MPI_Init(&argc, &argv);
+    if (MPI_Init(&argc, &argv) != MPI_SUCCESS)
+    {
+        fprintf(stderr, "dem: MPI does not start; a program built with MPI=no runs in one process only, "
+                        "build it again without that for several ranks\n");
+        return EXIT_FAILURE;
+    }
     MPI_Comm_rank(MPI_COMM_WORLD, &p.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &p.ranks);
     p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;
