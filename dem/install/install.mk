@@ -24,9 +24,8 @@ SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
 STAGE      = $(BUILD)/stage
 PACKAGES   = suna suna_cost suna_import
 # what mpicc adds (Open MPI, MPICH), for programs that are compiled by others
-MPI_FLAGS  = $(if $(filter no,$(MPI)),,$(shell $(CC) -show))
-MPI_CFLAGS = $(filter -I% -D% -pthread,$(MPI_FLAGS))
-MPI_LIBS   = $(filter -L% -l% -pthread,$(MPI_FLAGS))
+MPI_CFLAGS = $(filter -I% -D% -pthread,$(COMPILER))
+MPI_LIBS   = $(filter -L% -l% -pthread,$(COMPILER))
 
 .PHONY: stage install uninstall dist
 

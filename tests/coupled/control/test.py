@@ -142,7 +142,7 @@ case.write("system/fvSolution", solution)
 case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.005;")
 refused("a mesh that moves before timeStart", "The mesh moves, but the particles have stood still", "pimpleFoam")
 
-# later versions than v1912 cannot refine between these cyclic patches
+# v2512 cannot refine between these cyclic patches
 case = prepare("interFoam", many, "changing")
 case.sub("system/blockMeshDict", "type cyclic; neighbourPatch [a-z]*;", "type symmetryPlane;")
 for field in ("U", "alpha.water", "p_rgh"):

@@ -143,7 +143,7 @@ through("kOmegaSST", case)
 case = Case("kEqn")
 eddies(case, 1)
 filtered = "turbulence on; delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; }"
-# later versions than v1912 read Ce from LES, not from kEqnCoeffs
+# v2112 and later read Ce from LES, not from kEqnCoeffs
 turbulence(case, "LES", "kEqn", "Ck 1e-18; Ce 1e-18;", filtered + " Ce 1e-18;")
 through("kEqn", case)
 
