@@ -20,7 +20,7 @@ VERSION   := $(shell sed -n 's/^\#define DEM_VERSION "\(.*\)"/\1/p' include/dem.
 HEADERS   := $(sort $(wildcard include/*.h))
 SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
 STAGE      = $(BUILD)/stage
-PACKAGES   = suna suna_cost suna_import
+PACKAGES   = suna suna_cost suna_import suna_plot
 # of Open MPI's compilers, for programs that are compiled by others
 MPI_CFLAGS = $(shell $(CC) -showme:compile)
 MPI_LIBS   = $(shell $(CC) -showme:link)
