@@ -7,7 +7,7 @@ import numpy
 
 import evaluate
 import render           # of muellerBed, in the path by results, like style
-from style import COLOURS, OURS, OTHER, REFERENCE, plt, save
+from style import COLOURS, OURS, OTHER, REFERENCE, below, plt, save
 
 ZERO = 273.15
 LOOKS = {"wakao": (OURS, "o"), "gunn": (OTHER, "s"), "ranzMarshall": (COLOURS[3], "^")}
@@ -31,9 +31,10 @@ def draw_nusselt(case, found, lifting):
         axes.plot([row[0].speed/lifting for row in rows], [row[2] for row in rows], "x", color="black",
                   ms=7, label="Suna, wakao and conduction")
         axes.axvline(1, color="0.7", lw=0.8, zorder=0)
-        axes.set(xlabel="U/Umf", ylabel="Nu", ylim=(0, None), title=f"spheres of {1e3*ds:g} mm")
-    places[-1].legend(loc="lower right", fontsize=7)
+        axes.set(xlabel="velocity over that of minimum fluidisation", ylabel="Nusselt number", ylim=(0, None),
+                 title=f"hot spheres of {1e3*ds:g} mm")
     figure.tight_layout()
+    below(figure, columns=3)
     save(figure, case/"nusselt.png")
 
 

@@ -6,7 +6,7 @@ import numpy
 
 import frames
 import render
-from style import OURS, REFERENCE as MEASURED, plt, save
+from style import OURS, REFERENCE as MEASURED, below, plt, save
 
 COLUMN = (0.044, 0.010, 0.085)                      # m, what is shown of it
 
@@ -21,8 +21,8 @@ def draw_profiles(case, profiles, centres):
         axes.plot(1e3*centres, p.profile, color=OURS, lw=1.8)
         axes.plot(1e3*p.measured[0], p.measured[1], "o", ms=4, mfc="none", color=MEASURED)
         name = "void fraction" if p.quantity == "voidFraction" else "vertical velocity [m/s]"
-        axes.set(xlabel="x [mm]", xlim=(0, 44))
-        axes.set_title(f"{name} at {p.height:g} mm", loc="left", fontsize=9.5)
+        axes.set(xlabel="distance from the left wall [mm]", ylabel=name, xlim=(0, 44))
+        axes.set_title(f"{p.height:g} mm above the plate", fontsize=9.5)
         axes.set_title(f"rms {p.rms:.3f}", loc="right", fontsize=8.5, color="0.35")
     for axes in panels[0, :2]:
         axes.set_ylim(0.3, 0.9)
@@ -48,7 +48,7 @@ def draw_pressure(case, balance):
     low, high = numpy.percentile(drop, [0.5, 99.5])
     axes.set(xlabel="time [s]", ylabel="pressure drop [Pa]", xlim=(time[0], time[-1]),
              ylim=(min(0, 1.1*low), 1.15*max(high, balance.weight)))
-    axes.legend(loc="upper right", ncols=2, fontsize=8)
+    below(figure)
     save(figure, case/"pressure.png")
 
 
