@@ -85,7 +85,7 @@ def draw_slopes(rows, found):
             axes.set(xlabel=name, ylabel="slope [degrees]", ylim=(0, None), xscale="log" if vary else "linear")
             if vary:
                 plain_ticks(axes.xaxis, chosen[:, vary])
-    heaps = sorted(found.items(), key=lambda item: numpy.mean([s.mean() for s, _ in item[1]]))
+    heaps = sorted(found.items(), key=lambda item: numpy.mean(numpy.concatenate([s for s, _ in item[1]])))
     for ((friction, rolling), runs), colour in zip(heaps, shades(len(heaps))):
         x, height = profile(runs)
         right.plot(1e3*x, 1e3*height, color=colour, label=f"friction {friction:g}, rolling {rolling:g}")
