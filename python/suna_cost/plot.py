@@ -8,11 +8,11 @@ import math
 from pathlib import Path
 
 from suna.command import Refused, read_options
-from suna_plot.style import plt, save
+from suna_plot.style import log_ticks, plt, save
 
 # of Okabe and Ito, and greys
 COLOURS = {"kinetic": "#d55e00", "rotation": "#e69f00", "height": "#0072b2", "overlap": "#56b4e9", "force": "#009e73",
-           "contacts": "#cc79a7", "restitution": "#000000", "level": "#999999", "void": "#555555", "drop": "#f0e442"}
+           "contacts": "#cc79a7", "restitution": "#000000", "level": "#999999", "void": "#555555", "drop": "#8c510a"}
 TITLES = {"friction": "law of friction, against the scene's",
           "effects": "without each effect, against the whole scene", "step": "time step",
           "stiffness": "stiffness, against hard spheres",
@@ -62,7 +62,8 @@ def draw_compared(axes, rows):
             axes.errorbar(at, error, yerr=bars, color=colour_of(quantity), ls="", elinewidth=0.7, capsize=2, marker="o",
                           ms=5, label=quantity)
     time = {r["level"]: number(r, "processor[s]") for r in rows}
-    axes.set_xticks(range(len(names)), [f"{name}\n{time[name]:.3g} s" for name in names])
+    base = {r["level"] for r in rows if r["base"] == "1"}
+    axes.set_xticks(range(len(names)), [f"{name}{' (reference)'*(name in base)}\n{time[name]:.3g} s" for name in names])
     axes.set_xlim(-0.5, len(names) - 0.5)
 
 
@@ -79,7 +80,7 @@ def plot(path):
     with path.open() as file:
         rows = list(csv.DictReader(file))
     names = list(dict.fromkeys(r["series"] for r in rows))
-    figure, panels = plt.subplots(1, len(names), figsize=(5.2*len(names), 4.4), squeeze=False)
+    figure, panels = plt.subplots(1, len(names), figsize=(5*len(names), 4.2), squeeze=False)
     for axes, series in zip(panels[0], names):
         own = [r for r in rows if r["series"] == series]
         drawn = any(number(r, "error") > ROUND_OFF for r in own)
@@ -91,10 +92,11 @@ def plot(path):
             for quantity in dict.fromkeys(r["quantity"] for r in own):
                 draw_quantity(axes, [r for r in own if r["quantity"] == quantity])
             axes.set(xscale="log", ylabel="error [%]", xlabel="processor time of a run [s]; circle: the scene as it is")
+            log_ticks(axes.xaxis)
         axes.set_yscale("log" if drawn else "linear")
         axes.set_title(TITLES.get(series, series))
         if drawn:
-            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)
+            axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.26), ncols=2)
     figure.tight_layout()
     figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
     save(figure, path.with_suffix(".png"))

@@ -7,6 +7,7 @@ formulas and other codes are thin lines in REFERENCE or GREY. Legends stand besi
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import io
+import math
 
 import matplotlib
 matplotlib.use("Agg")
@@ -55,6 +56,18 @@ def plain_ticks(axis, values, form="%g"):
     """These ticks on an axis, as plain numbers and without minor ones."""
     axis.set_ticks(list(values), [form % value for value in values])
     axis.set_ticks([], minor=True)
+
+
+def log_ticks(axis):
+    """Ticks at 1, 2 and 5 (or 1 to 9) of each decade of a logarithmic axis that spans less than two."""
+    low, high = axis.get_view_interval()
+    if high < 100*low:
+        first = math.floor(math.log10(low))
+        for digits in ((1, 2, 5), range(1, 10)):
+            ticks = [d*10.0**k for k in range(first, first + 4) for d in digits if low <= d*10.0**k <= high]
+            if len(ticks) > 1:
+                break
+        plain_ticks(axis, ticks)
 
 
 def image(figure, **options):
