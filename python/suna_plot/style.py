@@ -30,11 +30,15 @@ plt.rcParams.update({
     "svg.hashsalt": "suna"})
 
 
-def panels(number, width=None, height=3.4, **options):
-    """A figure with axes in a row: the figure, and a list of them."""
-    figure, axes = plt.subplots(1, number, figsize=(width or 4.2*number, height), squeeze=False,
+def panels(number, width=None, height=3.4, across=None, **options):
+    """A figure with this many axes in a row, or in rows of `across`: the figure, and a list of them."""
+    columns = min(number, across or number)
+    rows = -(-number//columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(width or 4.2*columns, height*rows), squeeze=False,
                                 layout="constrained", **options)
-    return figure, list(axes[0])
+    for rest in axes.flat[number:]:
+        rest.axis("off")
+    return figure, list(axes.flat[:number])
 
 
 def shades(number):

@@ -92,7 +92,7 @@ def draw(tables, x, y, file):
             found.setdefault(own, []).append(line)
     if not found:
         raise Refused("no column of numbers changes; name some by -y")
-    figure, places = panels(len(found), 5.2*len(found), 3.6)
+    figure, places = panels(len(found), None, 3.6, across=3)
     for axes, (own, drawn) in zip(places, found.items()):
         if len(drawn) > MOST:
             raise Refused(f"{len(drawn)} lines in {own or 'pure numbers'}, more than the {MOST} that can be told "
@@ -102,6 +102,7 @@ def draw(tables, x, y, file):
             axes.plot(at, values, dashes, color=colour, label=label)
         axes.set(xlabel=across.replace("[", " [") if "[" in across else across,
                  ylabel=f"[{own}]" if len(drawn) > 1 and own else drawn[0][0] + (f" [{own}]" if own else ""))
+        axes.ticklabel_format(scilimits=(-2, 4))
         if len(drawn) > 1:
             axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)
     if file.endswith(".png"):
