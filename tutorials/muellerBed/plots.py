@@ -1,7 +1,14 @@
 """plots.py -- profiles with the measured points, the pressure over time, and pictures of the bed.
 
+    plots.py stored measured            stored/profiles.png from the tables there and the measured points
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
 import numpy
 
 import frames
@@ -77,3 +84,26 @@ def draw_all(case, profiles, centres, balance):
     chosen = sorted({max(0, len(listed) - 1 - back) for back in (12, 8, 4, 0)})
     draw_bed(case, [listed[k] for k in chosen])
     draw_motion(case, listed[-24:])
+
+
+def read_tables(folder, measured):
+    """Profiles of a run from its profiles.csv and result.csv, with the measured points; and the centres of
+    their boxes [m]."""
+    with open(folder/"result.csv", newline="") as file:
+        rms = {(row["quantity"], row["height_mm"]): float(row["rms"]) for row in csv.DictReader(file)}
+    found = {}
+    with open(folder/"profiles.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            found.setdefault((row["quantity"], row["height_mm"]), []).append(
+                [1e-3*float(row["x_mm"]), float(row["value"]), float(row["ci95"])])
+    profiles = []
+    for (quantity, height), rows in found.items():
+        centres, profile, interval = numpy.array(rows).T
+        points = numpy.loadtxt(measured/f"{quantity}_{float(height):g}mm.csv", delimiter=",", skiprows=2).T
+        profiles.append(SimpleNamespace(quantity=quantity, height=float(height), rms=rms[quantity, height],
+                                        profile=profile, interval=interval, measured=points))
+    return profiles, centres
+
+
+if __name__ == "__main__":
+    draw_profiles(Path(sys.argv[1]), *read_tables(*map(Path, sys.argv[1:3])))
