@@ -6,7 +6,7 @@ Sphinx needs besides is added while it reads:
 
     contents     from the links of docs/README.md and of the index pages below it
     links        to files that are no pages: the file is copied; to folders: only the text
-    formulas     $...$ and $$...$$, by KaTeX in the browser, from a copy of Debian's libjs-katex
+    formulas     $...$ and blocks ```math, by KaTeX in the browser, from a copy of Debian's libjs-katex
     index.html   leads to docs/README.html
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -122,6 +122,7 @@ def read(app, docname, source):
         page = page_of(docname, target.rstrip("/") + "/README.md", env)
         return f"[{words}]({target.rstrip('/')}/README.md)" if page else words
     text = LINK.sub(link, text)
+    text = re.sub(r"^```math\n(.*?)^```$", r"$$\n\1$$", text, flags=re.M | re.S)
     if docname in INDEX:
         text += contents(docname, text, env, {root_doc, *(INDEX if docname != root_doc else ())})
     elif children(docname, env):

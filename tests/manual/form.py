@@ -28,7 +28,7 @@ def faults(name, text, index):
     lines, found, fenced = text.split("\n"), [], False
     if not re.match(r"# .+\n\nAfter this page you ", text):
         found.append("the first sentence does not begin with After this page you")
-    if not any(re.match(r"```|    \S|!\[|\$\$", line) for line in lines[:SCREENS]):
+    if not any(re.match(r"```|    \S|!\[", line) for line in lines[:SCREENS]):
         found.append("no code, formula or picture in the first %d lines" % SCREENS)
     for number, line in enumerate(lines, 1):
         if line.startswith("```"):
