@@ -57,7 +57,7 @@ def beverloo(width, bulk, c=C, k=K):
 def draw(found, bulk, soft, measured):
     time, mass, published = measured
     figure, (left, right) = panels(2, 9.5)
-    left.plot(time, mass, label="measured, Anand et al. 2008, slot of 11.2 d", **MEASURED)
+    left.plot(time, mass, label="simulation, Anand et al. 2008, slot of 11.2 d", **MEASURED)
     for (kind, width), folders in sorted(found.items()):
         t, m = discharge(folders[0])
         left.plot(t, 1e3*m, color={8: OTHER, 11.2: OURS, 15: GREY}.get(width, "k"), lw=1.5,
@@ -66,7 +66,7 @@ def draw(found, bulk, soft, measured):
     left.set(xlabel="time since the opening [s]", ylabel="discharged mass [g]", xlim=(0, 1.2), ylim=(0, None))
     w = numpy.linspace(3, 17, 100)*D
     right.plot(w/D, 1e3*beverloo(w, bulk), color=REFERENCE, lw=1.2, label="Beverloo's law, C 1.03, k 1.4")
-    right.plot(11.2, published, label="measured, Anand et al. 2008", **{**MEASURED, "ms": 7})
+    right.plot(11.2, published, label="simulation, Anand et al. 2008", **{**MEASURED, "ms": 7})
     right.errorbar(soft[:, 0]/D, 1e3*soft[:, 1], 1e3*soft[:, 2], marker="s", color=OURS,
                    label="Suna, mean and 95 % interval", **POINTS)
     right.set(xlabel="width of the slot over diameter w/d", ylabel="discharge rate [g/s]", xlim=(0, 17),
