@@ -123,6 +123,8 @@ def read(app, docname, source):
         return f"[{words}]({target.rstrip('/')}/README.md)" if page else words
     text = LINK.sub(link, text)
     text = re.sub(r"^```math\n(.*?)^```$", r"$$\n\1$$", text, flags=re.M | re.S)
+    if docname in INDEX or docname == "docs/library":       # their contents change with other files
+        env.note_reread()
     if docname in INDEX:
         text += contents(docname, text, env, {root_doc, *(INDEX if docname != root_doc else ())})
     elif children(docname, env):

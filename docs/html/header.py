@@ -95,4 +95,6 @@ class HeaderParser(MystParser):
     supported = ("header",)
 
     def parse(self, inputstring, document):
+        for path in INCLUDE.glob("*.h"):        # links lead to them
+            document.settings.env.note_dependency(str(path))
         super().parse(page(inputstring), document)
