@@ -20,6 +20,7 @@ from pathlib import Path
 
 from docutils.nodes import SkipNode
 from sphinx.builders.html import StandaloneHTMLBuilder
+from sphinx.errors import ExtensionError
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -161,6 +162,8 @@ def finish(app, failed):
 def setup(app):
     if "image/webp" not in StandaloneHTMLBuilder.supported_image_types:
         StandaloneHTMLBuilder.supported_image_types.append("image/webp")
+    if not KATEX.is_dir():
+        raise ExtensionError(f"no {KATEX} for the formulas; install Debian's libjs-katex")
     app.add_source_parser(HeaderParser)
     app.add_html_math_renderer("katex", (formula, None), (displayed, None))
     app.connect("source-read", read)
