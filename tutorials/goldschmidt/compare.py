@@ -197,7 +197,9 @@ def draw_ends(ends, rows):
     ratio = [float(fine["Suna"][6 + k])/float(fine["DPMFoam"][6 + k]) for k in range(len(names))]
     ends.barh([LABELS[name] for name in names], ratio, color=OURS, height=0.5)
     for k, value in enumerate(ratio):
-        ends.annotate(f"{value:.2f}", (value, k), (4, 0), textcoords="offset points", va="center")
+        inside = value > 0.3
+        ends.annotate(f"{value:.2f}", (0 if inside else value, k), (6, 0), textcoords="offset points", va="center",
+                      color="white" if inside else "black")
     ends.axvline(1, color=REFERENCE, lw=1.2)
     ends.set(xlabel="Suna over DPMFoam (1), finest runs, at the end", xlim=(0, 1.4))
 
