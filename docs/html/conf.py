@@ -93,7 +93,7 @@ def contents(docname, text, env, taken):
 
 
 def children(docname, env):
-    """What belongs below a page that is no index: results of a tutorial, headers, further folders."""
+    """What belongs below a page that is no index: the results of a tutorial, the public headers."""
     folder = posixpath.dirname(docname)
     if docname == "docs/library":
         return sorted(name for name in env.found_docs if name.startswith("dem/include/"))

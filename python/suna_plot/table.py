@@ -8,7 +8,7 @@ from pathlib import Path
 
 from suna.command import Refused, read_options, unknown
 
-from .style import COLOURS, below, panels, save
+from .style import COLOURS, panels, save
 
 HELP = """Usage: dem plot [-x COLUMN] [-y COLUMN,...] [-file PICTURE] TABLE ...
 

@@ -2,8 +2,6 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import numpy
-
 import plots            # of muellerBed, in the path by results, like style
 import series
 from style import OURS, REFERENCE as MEASURED, below, plt, save
