@@ -209,7 +209,7 @@ int main(int argc, char *argv[])
                 return vector(-gSum((mesh.V().field()*toCells(force())().primitiveField())()));
             };
             List<fluidBudget::force> known(2);
-            known[0] = fluidBudget::force("gravity", sumOf(fluids.gravity(gravity)));
+            known[0] = fluidBudget::force("gravity", sumOf(fluids.gravity(ghf)));
             known[1] = fluidBudget::force("capillarity", sumOf(fluids.capillarity()));
             #include "endBudget.H"
         }

@@ -188,11 +188,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::massFlux
 
 Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::gravity
 (
-    const dimensionedVector& g
+    const surfaceScalarField& ghf
 ) const
 {
-    const fvMesh& mesh = rho_.mesh();
-    return (g & mesh.Cf())*fvc::snGrad(rho_)*mesh.magSf();
+    return ghf*fvc::snGrad(rho_)*rho_.mesh().magSf();
 }
 
 

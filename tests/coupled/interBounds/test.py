@@ -25,7 +25,7 @@ claim("the volume of water is kept (1e-13)", np.ptp(volume) < 1e-13*volume[0], n
 e = case.interior("voidFraction")
 claim("the weight of alpha stays the void fraction (the tolerance of the pressure)",
       difference(case.interior("transportedVoidFraction"), e) < 1e-5, difference(case.interior("transportedVoidFraction"), e))
-claim("the bed is dense", e.min() < 0.55, e.min())
+claim("the swarm is dense", e.min() < 0.8, e.min())
 claim("exchange closes", worst(case.log("demInterFoam"), "exchange error") < 1e-12)
 claim("volume of the particles is kept", worst(case.log("demInterFoam"), "volume error") < 1e-12)
 finish()

@@ -63,7 +63,7 @@ case.copy(case/"properties", transport)
 
 case.run("demInterFoam", "-plan")
 claim_ran("-plan ends", case, "demInterFoam")
-claim("-plan reports the steps and writes nothing", "Time steps" in case.log("demInterFoam") and not case.times(),
+claim("-plan reports the steps and writes nothing", "Time step" in case.log("demInterFoam") and not case.times(),
       *case.log("demInterFoam").splitlines()[-30:])
 case.run("demInterFoam")
 claim_ran("the case runs without these faults", case, "demInterFoam")

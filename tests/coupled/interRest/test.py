@@ -26,8 +26,8 @@ def claims(name, case):
     claim_ran(f"{name}: runs", case, "demInterFoam")
     void, alpha, gradP = case.interior("voidFraction"), case.interior("alpha.water"), case.interior("gradP")
     rho = WATER[0]*alpha + AIR[0]*(1 - alpha)
-    claim(f"{name}: the void fraction varies across the surface", np.ptp(void[(alpha > 0.1) & (alpha < 0.9)]) > 0.1,
-          np.ptp(void))
+    claim(f"{name}: the void fraction varies across the surface", np.ptp(void[(alpha > 0.1) & (alpha < 0.9)]) > 0.03,
+          np.ptp(void[(alpha > 0.1) & (alpha < 0.9)]))
     claim(f"{name}: no fluid moves (1e-9 m/s)", largest(case.interior("U")) < 1e-9, largest(case.interior("U")))
     error = difference(gradP, rho[:, None]*np.array([0, 0, -g]))/(WATER[0]*g)
     claim(f"{name}: the pressure gradient is rho g in each cell (1e-10 of the water's)", error < 1e-10, error)
@@ -39,15 +39,15 @@ def claims(name, case):
 
 case = vessel("frozen", 0.0612)
 case.grains("grain { density 2500; youngsModulus 1e6; }", "hertz {} gidaspow {}",
-            """grains { type random; diameter 4e-3; count 900; seed 3; frozen yes;
-                        min (0 0 0.02); max (0.06 0.06 0.1); }""")
+            """grains { type random; diameter 5e-3; count 1200; seed 3; frozen yes;
+                        min (0 0 0.02); max (0.06 0.06 0.1); }""", "kernel linear;")
 claims("frozen", case)
 
 case = vessel("settled", 0.0312)
 case.grains("grain { density 2500; youngsModulus 1e6; }", "hertz {} dry { restitution 0.3; } gidaspow {}",
-            "grains { type random; diameter 5e-3; count 900; seed 2; min (0 0 0); max (0.06 0.06 0.11); }")
+            "grains { type random; diameter 7e-3; count 350; seed 2; min (0 0 0); max (0.06 0.06 0.11); }")
 case.append("constant/demProperties", 'start { snapshot "settled.dem"; }\n')
 case.run("demInterFoam", "-settle", log="log.settle")
-case.sub("constant/demProperties", "^start .*", 'start { snapshot "settled.dem"; frozen yes; }')
+case.sub("constant/demProperties", "^start .*", 'start { snapshot "settled.dem"; frozen yes; }\ntime { step 1e-3; }')
 claims("settled", case)
 finish()

@@ -45,6 +45,7 @@ again(0.004)
 found = different("straight", "0.012")
 claim("continues from 0.004 with the bits of the uninterrupted run", not found, *found)
 
+case.sub("system/decomposeParDict", "2 1 1", "1 2 1")
 case.run("decomposePar")
 case.run("demInterFoam", ranks=2)
 claim_ran("two ranks: runs", case, "demInterFoam")

@@ -53,7 +53,8 @@ count = round(s*l*width**2/(math.pi/6*d**3))
 angles = ((np.arange(count) + 0.5)/count - 0.5)*l/radius
 positions = " ".join(vector((radius*math.sin(a), width/2, -radius*math.cos(a))) for a in angles)
 case.grains("grain { density 2500; youngsModulus 1e6; }", "stokesDrag {}",
-            f"plug {{ type list; diameter {d}; frozen yes; positions ({positions}); }}", "kernel linear;")
+            f"plug {{ type list; diameter {d}; frozen yes; positions ({positions}); }}", "kernel linear;",
+            "time { step 1e-3; }")
 case.run("demInterFoam")
 claim_ran("runs", case, "demInterFoam")
 
