@@ -209,8 +209,8 @@ int main(int argc, char *argv[])
                 return vector(-gSum((mesh.V().field()*toCells(force())().primitiveField())()));
             };
             List<fluidBudget::force> known(2);
-            known[0] = fluidBudget::force("gravity", sumOf(fluids.gravity(ghf)));
-            known[1] = fluidBudget::force("capillarity", sumOf(fluids.capillarity()));
+            known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
+            known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
             #include "endBudget.H"
         }
         run.endStep(cloud);

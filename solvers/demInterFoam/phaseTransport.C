@@ -101,7 +101,13 @@ Foam::phaseTransport::phaseTransport
     flux_(flux),
     weight_
     (
-        demFieldAt(mesh_, "transportedVoidFraction", IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
+        demFieldAt
+        (
+            mesh_,
+            "transportedVoidFraction",
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
         voidFraction
     ),
     alphaFlux_("alphaFlux", 0*flux),
@@ -147,7 +153,8 @@ void Foam::phaseTransport::solve()
 
     const scalarField& alpha = alpha_.primitiveField();
     Info<< alpha_.name() << " between " << gMin(alpha) << " and 1 + " << gMax((alpha - 1)())
-        << ", volume " << gSum((mesh_.V().field()*weight_.primitiveField()*alpha)()) << " m3" << endl;
+        << ", volume " << gSum((mesh_.V().field()*weight_.primitiveField()*alpha)()) << " m3"
+        << endl;
 }
 
 

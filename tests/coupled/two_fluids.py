@@ -37,7 +37,8 @@ snGradSchemes { default corrected; }""")
     "p_rgh.*" {{ solver PCG; preconditioner DIC; tolerance {tolerance}; relTol 0; maxIter 2000; }}
     "U.*" {{ solver PBiCGStab; preconditioner DILU; tolerance {tolerance}; relTol 0; }}
 }}
-PIMPLE {{ nOuterCorrectors {outer}; nCorrectors {correctors}; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0; }}""")
+PIMPLE {{ nOuterCorrectors {outer}; nCorrectors {correctors}; nNonOrthogonalCorrectors 0; pRefCell 0; pRefValue 0;
+}}""")
 
     def fields(self, walls, slip=False, more=("", "", "")):
         """0/U, 0/p_rgh and 0/alpha.water: fluids at rest between walls. more: entries of other patches in each."""

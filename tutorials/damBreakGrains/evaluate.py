@@ -73,7 +73,8 @@ def main():
     if len(moving):
         time, grains, water = moving[-1]
         limit = 2*math.sqrt(9.81*HEIGHT)
-        table.add("fronts", "mean speed of the water over the largest possible", 0.5, (water - WIDTH)/time/limit,
+        # between 0 and 1
+        table.add("fronts", "mean speed of the water over Ritter's limit", 0.5, (water - WIDTH)/time/limit,
                   allowed=1, source="Ritter 1892")
         table.add("fronts", "grains behind the water", 0, water - grains, unit="m")
     table.write(HERE)

@@ -24,8 +24,15 @@ claim("alpha does not rise above 1 (1e-13)", high.max() < 1e-13, high.max())
 claim("the volume of water is kept (1e-13)", np.ptp(volume) < 1e-13*volume[0], np.ptp(volume)/volume[0])
 e = case.interior("voidFraction")
 claim("the weight of alpha stays the void fraction (the tolerance of the pressure)",
-      difference(case.interior("transportedVoidFraction"), e) < 1e-5, difference(case.interior("transportedVoidFraction"), e))
+      difference(case.interior("transportedVoidFraction"),
+                 e) < 1e-5, difference(case.interior("transportedVoidFraction"), e))
 claim("the swarm is dense", e.min() < 0.8, e.min())
 claim("exchange closes", worst(case.log("demInterFoam"), "exchange error") < 1e-12)
+table = case.table("postProcessing/dem/0/budget.csv")
+for axis in "xyz":
+    terms = {name: largest(column) for name, column in table.items() if name.endswith(f".p{axis}")}
+    for term, what in (("rest", "momentum closes"), ("faces", "nothing is lost between faces and cells")):
+        claim(f"{what}, {axis} (1e-12 of the largest term)", terms[f"{term}.p{axis}"] < 1e-12*max(terms.values()),
+              terms[f"{term}.p{axis}"], max(terms.values()))
 claim("volume of the particles is kept", worst(case.log("demInterFoam"), "volume error") < 1e-12)
 finish()

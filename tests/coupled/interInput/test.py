@@ -35,14 +35,17 @@ refused("a density of 0", transport, [("rho 1000;", "rho 0;")], "rho of water ..
 refused("no model of the viscosity", transport, [("^water .* transportModel Newtonian;", "water {")],
         "transportModel is missing in ... water")
 refused("no surface tension", transport, [("^sigma .*", "")], "sigma is missing")
-refused("alpha below 0", "0/alpha.water", [("^1$", "-0.2")], "alpha.water of 0 lies between -0.2 and 0; ... from 0 to 1")
+refused("alpha below 0", "0/alpha.water", [("^1$", "-0.2")],
+        "alpha.water of 0 lies between -0.2 and 0; ... from 0 to 1")
 refused("no settings of alpha", solution, [('"alpha.*', "")], "no entry alpha.water in solvers")
 refused("no compression", solution, [("cAlpha 1;", "")], "cAlpha is missing")
 refused("implicit MULES", solution, [("cAlpha 1;", "cAlpha 1; MULESCorr yes;")], "explicit MULES only")
 refused("no sub-cycles", solution, [("nAlphaSubCycles 1", "nAlphaSubCycles 0")], "nAlphaSubCycles is 0")
-refused("a scheme of two steps", "system/fvSchemes", [("default Euler", "default backward")], "demInterFoam needs Euler")
+refused("a scheme of two steps", "system/fvSchemes", [("default Euler", "default backward")],
+        "demInterFoam needs Euler")
 refused("another set of equations", scene, [("coupling {", "coupling { equations I;")], "the set II only")
-refused("a density of the fluid in the coupling", scene, [("coupling {", "coupling { rho 1000;")], "rho ... transportProperties")
+refused("a density of the fluid in the coupling", scene, [("coupling {", "coupling { rho 1000;")],
+        "rho ... transportProperties")
 refused("heat", scene, [("gidaspow", "wakao {} gidaspow"), ("density 2500;", "density 2500; heatCapacity 800;")],
         "transfer heat, but demInterFoam has no temperature")
 

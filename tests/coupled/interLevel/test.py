@@ -1,5 +1,5 @@
-"""The surface of water rises by the volume of the particles that plunge into it: 2000 spheres of 4 mm raise it by 6.702 mm
-in a vessel of 0.1 x 0.1 m, with any step.
+"""The surface of water rises by the volume of the particles that plunge into it: 2000 spheres of 4 mm raise it by 6.702
+mm in a vessel of 0.1 x 0.1 m, with any step.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -35,11 +35,14 @@ def plunge(step):
     whole, water = level(case, case.times()[-1])
     claim(f"step {step}: the surface rises by {rise*1e3:.3f} mm (1e-6 of it)",
           close(whole - volume[0]/area, rise, 1e-6), whole - volume[0]/area, rise)
-    claim(f"step {step}: the volume of water is kept (1e-12)", np.ptp(volume) < 1e-12*volume[0], np.ptp(volume)/volume[0])
-    claim(f"step {step}: so it is by the void fraction (1e-7)", close(water, volume[0]/area, 1e-7), water/(volume[0]/area) - 1)
+    claim(f"step {step}: the volume of water is kept (1e-12)", np.ptp(volume) < 1e-12*volume[0],
+          np.ptp(volume)/volume[0])
+    claim(f"step {step}: so it is by the void fraction (1e-7)", close(water, volume[0]/area, 1e-7),
+          water/(volume[0]/area) - 1)
     z = case.particles(case.times()[-1], "positions")[:, 3]
     claim(f"step {step}: all spheres lie in the water", len(z) == count and z.max() < 0.05, z.max())
-    claim(f"step {step}: alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
+    claim(f"step {step}: alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(),
+          high.max())
 
 
 for step in (1e-3, 3e-3):
