@@ -49,6 +49,13 @@ PIMPLE {{ nOuterCorrectors {outer}; nCorrectors {correctors}; nNonOrthogonalCorr
         self.initial("p_rgh", "1 -1 -2 0 0 0 0", 0, entries("type fixedFluxPressure; value uniform 0;", more[1]))
         self.initial("alpha.water", "0 0 0 0 0 0 0", 0, entries("type zeroGradient;", more[2]))
 
+    def for_stock(self):
+        """Entries that interFoam needs besides."""
+        self.sub("system/fvSolution", "nAlphaSubCycles 1;", "nAlphaSubCycles 1; nAlphaCorr 1;")
+        self.sub("system/fvSolution", '"p_rgh', '"(p_rgh|pcorr)')
+        self.sub("system/fvSchemes", "div.phi,alpha. [^;]*;", r"\g<0> div(phirb,alpha) Gauss linear;")
+        self.edit("system/controlDict", maxAlphaCo=1)
+
     def centres(self):
         """Centres of the cells [m]."""
         if not (self/"0/C").exists():

