@@ -6,6 +6,7 @@ With the densities and drag coefficients per volume of the void space, n the rat
 
 - Sloshing of water under air in a box of 0.1 m, half full: 16.80/s, also with frozen particles without drag in all
   cells.
+- The same with a drag of 1500 kg/m3/s in the water: it decays with 1.499/s.
 - Rayleigh and Taylor's growth, 3:1, one wave in the box: 17.56/s, also with these particles.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -15,7 +16,7 @@ from two_fluids import *
 g, L = 9.81, 0.1
 
 
-def box(name, k, cells, bottom, top, amplitude, end, step, solid=False):
+def box(name, k, cells, bottom, top, amplitude, end, step, solid=False, drag=False):
     """A box of one cell across with slip walls; the surface at mid-height is a cosine. Returns the case and the
     amplitude
     of the cosine at each written time."""
@@ -32,7 +33,7 @@ def box(name, k, cells, bottom, top, amplitude, end, step, solid=False):
         d = h*(3/math.pi)**(1/3)
         solids = f"""grains {{ type list; diameter {d:.17g}; frozen yes; positions (
 {" ".join(map(vector, case.centres()))}); }}"""
-    case.grains("grain { density 2500; youngsModulus 1e6; }", "", solids, "kernel linear;", "time { step 1e-3; }")
+    case.grains("grain { density 2500; youngsModulus 1e6; }", "stokesDrag {}" if drag else "", solids, "kernel linear;", "time { step 1e-3; }")
     case.run("demInterFoam")
     claim_ran(f"{name}: runs", case, "demInterFoam")
     x = case.centres()[:, 0]
@@ -57,6 +58,16 @@ for name, solid in (("clear", False), ("particles", True)):
     w, q = fitted(t, a, theory)
     claim(f"sloshing, {name}: the frequency is {theory:.2f}/s (1 %)", close(w, theory, 0.01), w, theory)
     claim(f"sloshing, {name}: it hardly decays (0.3/s)", abs(q) < 0.3, q)
+
+# Stokes' drag in the water: K = 18 mu s/d^2 with s = 1/2 and one sphere in each cell
+K, cells = 1500, 24
+mu = K*(L/cells*(3/math.pi)**(1/3))**2/9
+decay = K/0.5/2/(1000 + 1)
+frequency = math.sqrt(theory**2 - decay**2)
+t, a = box("sloshing, drag", k, cells, (1000, mu), (1, thin), 0.003, 0.4, 1e-3, True, True)
+w, q = fitted(t, a, frequency)
+claim(f"sloshing, drag: the frequency is {frequency:.2f}/s (1 %)", close(w, frequency, 0.01), w, frequency)
+claim(f"sloshing, drag: the decay is {decay:.3f}/s (5 %)", close(q, decay, 0.05), q, decay)
 
 # the heavier fluid above, a whole wave
 k = 2*math.pi/L
