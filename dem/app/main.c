@@ -29,7 +29,7 @@ static const struct command
      "check a scene and report its effects, time step, memory and run time, without running it",
      dem_main_plan},
     {"cost", "accuracy against processor time, over time step and stiffness", NULL},
-    {"plot", "draw a table of dem cost or demCost again", NULL},
+    {"plot", "draw tables: energy, forces on walls, means, the cost.csv of dem cost", NULL},
     {"import", "translate input of LIGGGHTS, CFDEMcoupling or OpenFOAM into a scene or case", NULL},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources",
      dem_main_effects},

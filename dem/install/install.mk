@@ -22,7 +22,7 @@ VERSION   := $(shell sed -n 's/^\#define DEM_VERSION "\(.*\)"/\1/p' include/dem.
 HEADERS   := $(sort $(wildcard include/*.h)) $(if $(filter no,$(MPI)),ranks/serial/mpi.h)
 SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
 STAGE      = $(BUILD)/stage
-PACKAGES   = suna suna_cost suna_import
+PACKAGES   = suna suna_cost suna_import suna_plot
 # what mpicc adds (Open MPI, MPICH), for programs that are compiled by others
 MPI_CFLAGS = $(filter -I% -D% -pthread,$(COMPILER))
 MPI_LIBS   = $(filter -L% -l% -pthread,$(COMPILER))
