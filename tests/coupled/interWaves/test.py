@@ -7,7 +7,7 @@ With the densities and drag coefficients per volume of the void space, n the rat
 - Sloshing of water under air in a box of 0.1 m, half full: 16.80/s, also with frozen particles without drag in all
   cells.
 - The same with a drag of 1500 kg/m3/s in the water: it decays with 1.499/s.
-- Rayleigh and Taylor's growth, 3:1, one wave in the box: 17.56/s, also with these particles.
+- Rayleigh and Taylor's growth, 3:1, one wave in the box: 17.52/s, also with these particles.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -43,9 +43,10 @@ def box(name, k, cells, bottom, top, amplitude, end, step, solid=False, drag=Fal
 
 
 def fitted(t, a, rate):
-    """The frequency and decay of a = a0 cos(w t) exp(-q t) that fit best, near this frequency."""
+    """The frequency and decay of a wave released from rest that fit best, near this frequency."""
     from scipy.optimize import curve_fit
-    (a0, w, q), _ = curve_fit(lambda t, a0, w, q: a0*np.cos(w*t)*np.exp(-q*t), t, a, (a[0], rate, 0))
+    (a0, w, q), _ = curve_fit(
+        lambda t, a0, w, q: a0*np.exp(-q*t)*(np.cos(w*t) + q/w*np.sin(w*t)), t, a, (a[0], rate, 0))
     return w, q
 
 
