@@ -14,12 +14,14 @@
 /* A word that begins with - and was not read: its value is missing, or it is unknown. */
 static int refuse_option(const char *command, const char *word)
 {
-    const char *const known[] = {"-restart", "-set", "-help"};
+    const char *const known[] = {"-restart", "-device", "-set", "-help"};
 
-    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-set") != 0, DEM_ERROR_INPUT,
+    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-device") != 0 &&
+                    strcmp(word, "-set") != 0,
+                DEM_ERROR_INPUT,
                 "%s lacks its value%s; see dem %s -help", word,
                 strcmp(word, "-set") == 0 ? "s" : "", command);
-    return dem_did_you_mean_error("option", word, known, 3);
+    return dem_did_you_mean_error("option", word, known, 4);
 }
 
 static int read_request(struct dem_request *r, const char *command, int argc, char **argv)
@@ -33,6 +35,10 @@ static int read_request(struct dem_request *r, const char *command, int argc, ch
         else if (strcmp(argv[k], "-restart") == 0 && k + 1 < argc)
         {
             r->restart = argv[++k];
+        }
+        else if (strcmp(argv[k], "-device") == 0 && k + 1 < argc)
+        {
+            r->device = argv[++k];
         }
         else if (strcmp(argv[k], "-set") == 0 && k + 1 < argc && strchr(argv[k + 1], '=')
                  && r->sets < DEM_MAX_SETS)
@@ -59,7 +65,9 @@ static int read_request(struct dem_request *r, const char *command, int argc, ch
             r->scene = argv[k];
         }
     }
-    DEM_REQUIRE(r->scene || r->help, DEM_ERROR_INPUT, "no scene; see dem %s -help", command);
+    r->lists_devices = r->device && strcmp(r->device, "list") == 0;
+    DEM_REQUIRE(r->scene || r->help || r->lists_devices, DEM_ERROR_INPUT,
+                "no scene; see dem %s -help", command);
     return DEM_OK;
 }
 
@@ -177,6 +185,7 @@ static int read_scene(const struct dem_request *r, struct dem_case *c, struct de
     {
         DEM_TRY(dem_case_set(c, r->set[k][0], r->set[k][1]));
     }
+    DEM_TRY(r->device ? dem_case_set(c, "device", r->device) : DEM_OK);
     if (r->restart)
     {
         DEM_TRY(dem_case_load(c, r->restart));
@@ -232,11 +241,11 @@ int dem_command_run(struct dem_program *prog, const struct dem_command *c, int a
     struct dem *d = NULL;
 
     DEM_TRY(read_request(&r, c->name, argc, argv));
-    if (r.help)
+    if (r.help || r.lists_devices)
     {
         if (prog->rank == 0)
         {
-            fputs(c->help, stdout);
+            fputs(r.help ? c->help : dem_devices_text(), stdout);
         }
         return DEM_OK;
     }

@@ -205,6 +205,19 @@ int dem_stopped(const struct dem *);
 void dem_set_progress(struct dem *, double seconds,
                       void (*report)(void *self, double time, int64_t steps), void *self);
 
+/* What makes the steps, where the scene has an entry `device`: name, platform and driver of the device;
+   or a sentence why the CPU makes them all, with the same bits. "" without the entry. dem_wall_impulse
+   ends the use of a device. */
+const char *dem_device(const struct dem *);
+
+/* Steps that the device has made so far, in so many parts between which the state was copied; steps
+   that it gave up for the CPU, because of an event. Zeros without a device. */
+void dem_device_steps(const struct dem *, int64_t *made, int64_t *parts, int64_t *repeated);
+
+/* The devices of this machine as lines of text, or a sentence why there are none. Needs no run;
+   valid until the next call of this thread. */
+const char *dem_devices_text(void);
+
 /* The longest stable step and the step in use. Zeros where a snapshot has not been read yet. */
 struct dem_step_limit dem_step_limit(const struct dem *);
 

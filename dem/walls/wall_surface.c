@@ -5,25 +5,9 @@
  */
 #include "walls/wall_surface.h"
 #include "core/vec.h"
+#include "walls/facet_surface.h"
 #include <math.h>
 #include <string.h>
-
-/* Lower limit of 1 - R/A: a hollow wall too narrow for a particle is treated as wider than the
-   particle by this fraction. */
-static const double min_clearance = 1e-3;
-
-static double reduced_radius(const struct dem_facet *r, double radius)
-{
-    const double ratio = radius/r->radius,
-                 bend = r->outside ? 1.0 + ratio : fmax(1.0 - ratio, min_clearance);
-
-    switch (r->shape)
-    {
-    case DEM_SHAPE_SPHERE: return radius/bend;
-    case DEM_SHAPE_CYLINDER: return radius/sqrt(bend);
-    default: return radius;
-    }
-}
 
 /* Sine of the angle between a face and the direction of a belt, below which the face has no
    direction along it. Above the error of the normals of an STL file in single precision. */
@@ -103,40 +87,6 @@ static void add_surface_velocity(const struct dem_walls *w, const struct dem_fac
     }
 }
 
-/* The normal a step ago: of a plane or facet in its orientation then, of a curved wall at the
-   particle's position then. */
-static void normal_before(const struct dem_facet *r, const struct dem_wall_displacement *s,
-                          const double back[3], const struct dem_wall_touch *at, double before[3])
-{
-    double d[3];
-
-    if (r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES)
-    {
-        dem_wall_displacement_rotate_back(s, at->normal, before);
-        return;
-    }
-    /* the particle's distance from the axis or the centre */
-    const double reach = r->outside ? r->radius + at->distance : r->radius - at->distance;
-    double along = 0.0;
-
-    for (int k = 0; k < 3; k++)
-    {
-        d[k] = (r->outside ? reach : -reach)*at->normal[k] - back[k];
-    }
-    for (int k = 0; k < 3 && r->shape == DEM_SHAPE_CYLINDER; k++)
-    {
-        along += d[k]*r->normal[k];
-    }
-    const double size = sqrt(fmax(dem_vec_dot(d, d) - along*along, 0.0));
-
-    for (int k = 0; k < 3; k++)
-    {
-        const double flat = d[k] - (r->shape == DEM_SHAPE_CYLINDER ? along*r->normal[k] : 0.0);
-
-        before[k] = size > 0.0 ? (r->outside ? flat : -flat)/size : at->normal[k];
-    }
-}
-
 static const struct dem_wall_displacement rest;
 
 /* From the position before the motion, the chord of the rotation deviates from the tangent to the
@@ -167,35 +117,17 @@ void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_
     const struct dem_wall *const of = &w->wall[r->wall];
     const struct dem_wall_displacement *const s =
         of->frame < 0 ? &rest : &w->frame[of->frame].displacement;
-    double back[3], before[3], centre[3] = {0.0, 0.0, 0.0};
+    const struct dem_pose *const pose = of->frame < 0 ? NULL : &w->frame[of->frame].pose;
 
     dem_wall_surface_motion(w, facet, at, 0, surface);
-    if (r->shape == DEM_SHAPE_CYLINDER || r->shape == DEM_SHAPE_SPHERE)
-    {
-        memcpy(centre, r->centre, sizeof centre);
-        if (of->frame >= 0)
-        {
-            dem_pose_point(&w->frame[of->frame].pose, r->centre, centre);
-        }
-        dem_wall_displacement_velocity(s, centre, centre);
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        back[k] = dt*(i->v[k] - centre[k]);
-    }
-    normal_before(r, s, back, at, before);
-    for (int k = 0; k < 3; k++)
-    {
-        surface->half_step_normal[k] = at->normal[k] + before[k];
-    }
-    const double size = dem_vec_norm(surface->half_step_normal);
-
-    for (int k = 0; k < 3; k++)
-    {
-        surface->half_step_normal[k] =
-            size > 0.0 ? surface->half_step_normal[k]/size : at->normal[k];
-    }
-    surface->reduced_radius = reduced_radius(r, i->radius);
+    dem_facet_normal_half_step(
+        r,
+        &(struct dem_facet_step){.displacement = s,
+                                 .pose = pose,
+                                 .v = {i->v[0], i->v[1], i->v[2]},
+                                 .dt = dt},
+        at->normal, at->distance, surface->half_step_normal);
+    surface->reduced_radius = dem_facet_reduced_radius(r, i->radius);
 }
 
 /* ---- walls that follow a mesh ---------------------------------------------------------------- */

@@ -1,0 +1,58 @@
+/*
+ * device.h -- steps on a device, with the same bits as on the CPU.
+ *
+ * The host owns the state between advances. Within an advance it makes the lists, and the steps that
+ * something reads: the last one of a window, samples, backups. From a step on whose lists are valid
+ * the device makes the steps up to the next of these, or until the lists are used up: the state goes
+ * up (dem_device_advance), steps are made, the state comes down. Whatever reads the state finds it
+ * on the host, and files do not know of the device.
+ *
+ * Events that the host has to report or to handle end the device's steps: the device's state is
+ * dropped, and the host makes these steps itself, from the state that it still has.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_DEVICE_H
+#define DEM_DEVICE_DEVICE_H
+
+#include "ranks/dem_state.h"
+
+struct dem_device;
+
+/* Why the steps of this run cannot be made on a device, as a sentence, or "". */
+void dem_device_refusal(const struct dem_state *, char *why, size_t size);
+
+/* Open the device (opencl.h: wanted), build the program, and compare its bits with those of the CPU if
+   this program has not been tested with this driver. An error is a sentence; the state is unchanged
+   then. */
+int dem_device_begin(struct dem_state *, const char *wanted);
+void dem_device_free(struct dem_state *);
+
+/* Device and driver; bytes that it needs for a state of this size. */
+const char *dem_device_name(const struct dem_device *);
+double dem_device_bytes(const struct dem_state *);
+
+/* The skins of the next lists, for particles of up to this speed [m/s]. */
+void dem_device_set_skins(struct dem_state *, double speed);
+
+struct dem_device_counts
+{
+    int64_t steps, parts;     /* made on the device, in so many parts between copies of the state */
+    int64_t repeated;         /* given up by the device, for an event that the host handles */
+};
+void dem_device_count(const struct dem_device *, struct dem_device_counts *);
+
+struct dem_device_steps
+{
+    int64_t first, most;      /* number of the first step in the window; so many steps, at most */
+    double displacement;      /* m  of a particle up to which the lists are valid */
+    double max_speed;         /* m/s  of a particle, above which the host makes the step */
+    int64_t made;             /* result: 0: the host has to make the first one */
+    const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
+};
+
+/* Make steps from a state whose positions and lists are those of the first step. After it positions
+   are those of the step after the last one made. */
+int dem_device_advance(struct dem_state *, struct dem_device_steps *);
+
+#endif

@@ -1,0 +1,200 @@
+/*
+ * gather.cl -- what the kernels of contact rows share: when a step is not made, the geometry of a
+ * pair and of a contact with a wall, and what ends a run.
+ *
+ * A record of a particle is four double4: {x, radius} {v, 1/m} {w, 1/I} {m, id, bits, -}
+ * (struct dem_particle).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "contacts/geometry.h"
+#include "core/random.h"
+#include "device/shared.h"
+#include "walls/facet_surface.h"
+
+/* 1 when the lists may miss a contact in step s of the batch, or an event has ended the batch: the
+   step is left out. All work items of all kernels of a step get the same answer. The bound grows with
+   the largest speed of each step; the factor is above all rounding. */
+static int dem_used_up(constant struct dem_device_batch *b, global struct dem_device_report *report,
+                       uint s)
+{
+    const float bound = s == 0 ? b->start
+                               : report->bound[s - 1] + sqrt(report->fastest[s - 1])*
+                                                            (float)(b->dt*1.0001);
+
+    if (get_global_id(0) == 0)
+    {
+        report->bound[s] = bound;
+    }
+    return !(bound <= b->limit);
+}
+
+static void dem_report_event(global struct dem_device_report *report, uint event)
+{
+    atomic_or((volatile global uint *)&report->events, event);
+}
+
+/* ---- geometry ---------------------------------------------------------------------------------- */
+
+static void dem_row_begin(constant struct dem_device_batch *b, uint s, struct dem_contact_row *r)
+{
+    const int64_t step = b->first + (int64_t)s;
+
+    r->dt = b->dt;
+    r->max_dt = b->max_dt;
+    r->inverse_dt = b->inverse_dt;
+    r->time = b->window_start + (double)step*b->dt;
+    r->previous_time = b->window_start + (double)(step - 1)*b->dt;
+    r->viscosity = r->pair_random = r->bond_replaces = r->scratch = r->adhesive_force = 0.0;
+    r->kn = r->kt = r->eta = r->fn = r->fx = r->fy = r->fz = r->mx = r->my = r->mz = 0.0;
+    r->stored = r->lost = r->bonds = r->broke = r->cause = r->dissipated = 0.0;
+    r->is_primary = 1.0;
+}
+
+static void dem_row_of_pair(global const double4 *restrict record, uint2 partners,
+                            global const double4 *restrict shift, int random,
+                            struct dem_contact_row *r)
+{
+    const uint i = partners.x, j = partners.y & ((1u << 27) - 1);
+    const double4 xi = record[4*(size_t)i], xj = record[4*(size_t)j],
+                  vi = record[4*(size_t)i + 1], vj = record[4*(size_t)j + 1],
+                  wi = record[4*(size_t)i + 2], wj = record[4*(size_t)j + 2],
+                  t = shift[partners.y >> 27];
+    struct dem_gathered g;
+
+    g.rx[0] = xi.x - xj.x + t.x;
+    g.ry[0] = xi.y - xj.y + t.y;
+    g.rz[0] = xi.z - xj.z + t.z;
+    g.radii[0] = xi.w + xj.w;
+    g.vx[0] = vi.x - vj.x;
+    g.vy[0] = vi.y - vj.y;
+    g.vz[0] = vi.z - vj.z;
+    g.inverse_mass[0] = vi.w + vj.w;
+    g.ax[0] = xi.w*wi.x + xj.w*wj.x;
+    g.ay[0] = xi.w*wi.y + xj.w*wj.y;
+    g.az[0] = xi.w*wi.z + xj.w*wj.z;
+    g.bx[0] = wi.x + wj.x;
+    g.by[0] = wi.y + wj.y;
+    g.bz[0] = wi.z + wj.z;
+    g.radius[0] = xi.w;
+    g.other[0] = xj.w;
+    r->wx = wi.x - wj.x;
+    r->wy = wi.y - wj.y;
+    r->wz = wi.z - wj.z;
+    dem_geometry_pair(&g, 0, r->dt, r);
+    dem_geometry_motion(&g, 0, 1.0, r);
+    r->distance = sqrt(g.rx[0]*g.rx[0] + g.ry[0]*g.ry[0] + g.rz[0]*g.rz[0]);
+    r->gap = r->distance - g.radii[0];
+    if (random)
+    {
+        r->pair_random = dem_random_unit(as_ulong(record[4*(size_t)i + 3].y),
+                                         as_ulong(record[4*(size_t)j + 3].y), 0, 0);
+    }
+}
+
+/* curved: some wall of the scene is curved, so the normals of half a step ago are computed. */
+static void dem_row_of_wall(global const double4 *restrict record,
+                            global const struct dem_facet *restrict in_memory, int curved,
+                            struct dem_contact_row *r)
+{
+    const struct dem_wall_displacement rest = {.sine = 0.0};
+    const struct dem_facet facet = *in_memory;
+    const double4 x = record[0], v = record[1], w = record[2];
+    const double at[3] = {x.x, x.y, x.z};
+    double point[3], normal[3];
+    struct dem_gathered g;
+
+    const double h = dem_facet_touch(&facet, at, at, point, normal);
+    const double distance = h < 4.0*x.w ? h : 4.0*x.w;
+
+    g.vx[0] = v.x;
+    g.vy[0] = v.y;
+    g.vz[0] = v.z;
+    g.ax[0] = x.w*w.x;
+    g.ay[0] = x.w*w.y;
+    g.az[0] = x.w*w.z;
+    g.bx[0] = 2.0*w.x;
+    g.by[0] = 2.0*w.y;
+    g.bz[0] = 2.0*w.z;
+    r->nx = r->hx = normal[0];
+    r->ny = r->hy = normal[1];
+    r->nz = r->hz = normal[2];
+    r->overlap = x.w - distance;
+    r->min_radius = r->reduced_radius = x.w;
+    r->reduced_mass = v.w > 0.0 ? 1.0/v.w : record[3].x;
+    r->wx = w.x;
+    r->wy = w.y;
+    r->wz = w.z;
+    if (curved)
+    {
+        double half_step[3];
+        const struct dem_facet_step since = {.displacement = &rest, .pose = 0,
+                                             .v = {v.x, v.y, v.z}, .dt = r->dt};
+
+        dem_facet_normal_half_step(&facet, &since, normal, h, half_step);
+        r->hx = half_step[0];
+        r->hy = half_step[1];
+        r->hz = half_step[2];
+        r->reduced_radius = dem_facet_reduced_radius(&facet, x.w);
+    }
+    dem_geometry_motion(&g, 0, 0.5, r);
+    if (curved)
+    {
+        /* the mean spin of the particle and the wall, as the host adds it */
+        r->normal_spin += 0.5*((0.5*g.bx[0] - r->wx)*r->nx + (0.5*g.by[0] - r->wy)*r->ny +
+                               (0.5*g.bz[0] - r->wz)*r->nz);
+    }
+    r->distance = h;
+    r->gap = h - r->min_radius;
+}
+
+/* A gap lengthens the lever arms; the distance changes along the normal of half a step ago. */
+static void dem_row_add_gap(global const double4 *restrict record, uint2 partners, double gap,
+                            int with_wall, struct dem_contact_row *r)
+{
+    const uint i = partners.x, j = partners.y & ((1u << 27) - 1);
+    const double4 vi = record[4*(size_t)i + 1], wi = record[4*(size_t)i + 2],
+                  vj = with_wall ? (double4)(0.0) : record[4*(size_t)j + 1],
+                  wj = with_wall ? wi : record[4*(size_t)j + 2];
+    const double bx = 0.5*(with_wall ? 2.0*wi.x : wi.x + wj.x),
+                 by = 0.5*(with_wall ? 2.0*wi.y : wi.y + wj.y),
+                 bz = 0.5*(with_wall ? 2.0*wi.z : wi.z + wj.z);
+
+    r->sx -= gap*(by*r->hz - bz*r->hy);
+    r->sy -= gap*(bz*r->hx - bx*r->hz);
+    r->sz -= gap*(bx*r->hy - by*r->hx);
+    r->distance_rate = (vi.x - vj.x)*r->hx + (vi.y - vj.y)*r->hy + (vi.z - vj.z)*r->hz;
+}
+
+/* ---- what ends a run --------------------------------------------------------------------------- */
+
+static void dem_row_check(constant struct dem_device_batch *b,
+                          global struct dem_device_report *report, int with_wall,
+                          const struct dem_contact_row *r, global const struct dem_facet *facet)
+{
+    const float fraction = (float)(0.5*r->overlap/r->min_radius);
+    const double sum = r->fn + (r->fx + r->fy + r->fz);
+
+    if (fraction > b->overlap && fraction > report->overlap)
+    {
+        atomic_max((volatile global uint *)&report->overlap, as_uint(fraction));
+    }
+    if (0.5*r->overlap >= b->max_overlap*r->min_radius)
+    {
+        dem_report_event(report, DEM_DEVICE_OVERLAP);
+    }
+    if (!(sum*0.0 == 0.0))
+    {
+        dem_report_event(report, DEM_DEVICE_NOT_FINITE);
+    }
+    if (r->broke > 0.0)
+    {
+        dem_report_event(report, DEM_DEVICE_BROKE);
+    }
+    /* the centre was on the other side a step ago */
+    if (with_wall && r->touching > 0.0 && r->vn*r->dt > r->min_radius - r->overlap &&
+        (facet->shape == DEM_SHAPE_TRIANGLES || (facet->shape != DEM_SHAPE_PLANE && facet->outside)))
+    {
+        dem_report_event(report, DEM_DEVICE_CROSSED);
+    }
+}

@@ -1,0 +1,57 @@
+/*
+ * shared.h -- structs and constants that host and device have in common.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_SHARED_H
+#define DEM_DEVICE_SHARED_H
+
+#include "core/device.h"
+
+enum
+{
+    DEM_DEVICE_GROUP = 64,      /* work items of a group */
+    DEM_DEVICE_BATCH = 256,     /* steps between two looks of the host, at most */
+    DEM_DEVICE_IMAGES = 27      /* periodic shifts of a pair */
+};
+
+enum dem_device_event           /* what the host has to handle; it repeats the steps then */
+{
+    DEM_DEVICE_OVERLAP = 1,     /* above time/maxOverlap */
+    DEM_DEVICE_NOT_FINITE = 2,  /* a force */
+    DEM_DEVICE_CROSSED = 4,     /* a wall with two sides */
+    DEM_DEVICE_BROKE = 8,       /* a bond */
+    DEM_DEVICE_CORNER = 16      /* two facets share a contact or its springs */
+};
+
+/* rounding of the drift along each axis, and axes without motion (dem_domain) */
+struct dem_device_axes
+{
+    double round[3];
+    int flat[3];
+};
+
+/* what the device tells after a batch of steps */
+struct dem_device_report
+{
+    uint32_t events;                        /* enum dem_device_event, or-ed */
+    float overlap;                          /* 1  largest overlap over the smaller diameter */
+    float fastest[DEM_DEVICE_BATCH];        /* m2/s2  square of the largest speed of each step,
+                                               rounded up */
+    float bound[DEM_DEVICE_BATCH];          /* m  bound of the displacement before each step */
+};
+
+/* constants of a batch of steps */
+struct dem_device_batch
+{
+    double dt, inverse_dt, max_dt;          /* s, 1/s, s */
+    double window_start;                    /* s  step k of the window ends at start + k dt */
+    int64_t first;                          /*    k of the first step of the batch */
+    double max_overlap;                     /* 1  an overlap over the smaller radius ends the run */
+    float overlap;                          /* 1  of the report, so far */
+    float start, limit;                     /* m  bound of the displacement now; of valid lists */
+    uint32_t particles, stride;             /*    stride: rows of a history column */
+    uint32_t walls;                         /*    the first row of a wall */
+};
+
+#endif
