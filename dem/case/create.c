@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/dem_case.h"
-#include "device/device.h"
+#include "device/device_steps.h"
 #include "core/memory.h"
 #include "ranks/collect.h"
 #include "ranks/mpi_error.h"

@@ -20,7 +20,7 @@
 #include "core/memory.h"
 #include "records/snapshot.h"
 #include "case/bond_pairs.h"
-#include "device/device.h"
+#include "device/device_steps.h"
 #include "records/totals.h"
 #include "particles/orientation.h"
 #include "ranks/collect.h"

@@ -165,13 +165,13 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 
 /* Before the history is read: zero where surfaces are apart. */
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
-void clear_apart(constant struct dem_device_batch *b, uint rows, uint columns,
-                 global const uchar *restrict touch, global double *restrict history)
+void clear_apart(uint rows, uint columns, global const uchar *restrict touch,
+                 global double *restrict history)
 {
     const uint row = get_global_id(0);
 
     for (uint m = 0; row < rows && !touch[row] && m < columns; m++)
     {
-        history[(size_t)m*b->stride + row] = 0.0;
+        history[(size_t)m*rows + row] = 0.0;
     }
 }

@@ -6,7 +6,7 @@
 #ifndef DEM_DEVICE_OPENCL_CALLS_H
 #define DEM_DEVICE_OPENCL_CALLS_H
 
-#include "device/opencl.h"
+#include "device/opencl_device.h"
 
 #if defined(__has_include)
 #if __has_include(<CL/cl.h>)
@@ -30,6 +30,7 @@
     CALL(clGetProgramBuildInfo) CALL(clReleaseProgram) CALL(clCreateKernel)                    \
     CALL(clReleaseKernel) CALL(clSetKernelArg) CALL(clCreateBuffer) CALL(clReleaseMemObject)   \
     CALL(clEnqueueNDRangeKernel) CALL(clEnqueueWriteBuffer) CALL(clEnqueueReadBuffer)          \
+    CALL(clEnqueueCopyBuffer)                                                                  \
     CALL(clFinish) CALL(clFlush)
 
 #define DEM_OPENCL_MEMBER(call) __typeof__(&call) call;

@@ -320,8 +320,9 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
                  "#define PAST_TOUCHING %d\n", h.n, class, class, list->past_touching);
     DEM_TRY(include_name(c, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
-                 "#define RANDOM %d\n#define CURVED %d\n", class, list->pair.with_wall,
-                 table->moments, (list->needs & DEM_NEEDS_RANDOM) != 0, curved);
+                 "#define ENERGY %d\n#define RANDOM %d\n#define CURVED %d\n", class,
+                 list->pair.with_wall, table->moments, table->past_touching,
+                 (list->needs & DEM_NEEDS_RANDOM) != 0, curved);
     return include_name(c, "device/rows.cl");
 }
 
@@ -364,12 +365,10 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(include_laws(c, &table->bodies));
     for (int k = 0; k < table->classes; k++)
     {
-        if (table->list[k].entries > 0)
-        {
-            DEM_TRY(add_class(c, table, k, curved));
-        }
+        DEM_TRY(add_class(c, table, k, curved));
     }
-    return add_bodies(c, table);
+    DEM_TRY(add_bodies(c, table));
+    return include_name(c, "device/lists.cl");
 }
 
 int dem_device_program(const struct dem_interaction_table *table, int curved, struct dem_text *text)

@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "device/device.h"
+#include "device/device_steps.h"
 #include "device/program.h"
 #include "records/energy_balance.h"
 #include "records/wall_statistics.h"

@@ -4,7 +4,8 @@
  *
  *   KERNEL, LAWS     name of the kernel; of the function that applies the laws to a row
  *   COLUMNS          history columns of the laws, whose places are in COLUMN_OF
- *   WITH_WALL, PAST_TOUCHING, MOMENTS, RANDOM, CURVED    1 or 0, as the host's effect list
+ *   WITH_WALL, PAST_TOUCHING, RANDOM    1 or 0, as the host's effect list
+ *   MOMENTS, ENERGY, CURVED    1 or 0, of all classes: there are moments, energies, curved walls
  *
  * The arithmetic is the host's (step/fill_batch.c, step/store_forces.c): the same operations in the
  * same order. A row that does not touch leaves no force; touch[row] says so to the sums, and that the
@@ -71,7 +72,7 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #if MOMENTS
     moment[row] = (double4)(r.mx, r.my, r.mz, 0.0);
 #endif
-#if PAST_TOUCHING
+#if ENERGY
     energy[row] = (double4)(r.stored, r.lost, r.bonds, r.broke);
 #endif
 }
@@ -85,5 +86,6 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #undef WITH_WALL
 #undef PAST_TOUCHING
 #undef MOMENTS
+#undef ENERGY
 #undef RANDOM
 #undef CURVED

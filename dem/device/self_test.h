@@ -6,7 +6,7 @@
 #ifndef DEM_DEVICE_SELF_TEST_H
 #define DEM_DEVICE_SELF_TEST_H
 
-#include "device/opencl.h"
+#include "device/opencl_device.h"
 #include "laws/interaction_table.h"
 
 /* Random rows of each pair class through the laws of the class, on the device and here.

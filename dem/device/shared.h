@@ -31,6 +31,18 @@ struct dem_device_axes
     int flat[3];
 };
 
+/* new lists, and the lists that they replace */
+struct dem_device_lists
+{
+    double origin[3], over_edge[3];         /* m, 1/m  of the cells */
+    double min[3], max[3], length[3], unit[3];    /* m  dem_domain */
+    double gap;                             /* m  of pairs, at most */
+    int cells[3], periodic[3];
+    uint32_t particles, facets, materials, columns;
+    uint32_t stride, old_stride, old_walls; /*    rows; rows before, the first one of a wall */
+    int keep_all;                           /* 1: laws act past touching */
+};
+
 /* what the device tells after a batch of steps */
 struct dem_device_report
 {

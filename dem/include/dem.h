@@ -214,6 +214,9 @@ const char *dem_device(const struct dem *);
    that it gave up for the CPU, because of an event. Zeros without a device. */
 void dem_device_steps(const struct dem *, int64_t *made, int64_t *parts, int64_t *repeated);
 
+/* Memory [byte] that the device needs for the particles as a dense bed; 0 without a device. */
+double dem_device_bytes(const struct dem *);
+
 /* The devices of this machine as lines of text, or a sentence why there are none. Needs no run;
    valid until the next call of this thread. */
 const char *dem_devices_text(void);

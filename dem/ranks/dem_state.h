@@ -122,7 +122,7 @@ struct dem_state
     struct dem_energy_balance *energy_balance;
     struct dem_timers *timers;
 
-    /* makes steps in place of the CPU (device/device.h); NULL: none */
+    /* makes steps in place of the CPU (device/device_steps.h); NULL: none */
     struct dem_device *device;
 
     /* s  time of the positions; the last time step; limit of the time step of any window */

@@ -5,8 +5,8 @@
  */
 #include "case/internal.h"
 #include "core/error.h"
-#include "device/device.h"
-#include "device/opencl.h"
+#include "device/device_steps.h"
+#include "device/opencl_device.h"
 #include <stdio.h>
 
 const char *dem_device(const struct dem *d)
@@ -14,9 +14,14 @@ const char *dem_device(const struct dem *d)
     return d->device;
 }
 
+double dem_device_bytes(const struct dem *d)
+{
+    return d->state.device ? dem_device_memory(&d->state) : 0.0;
+}
+
 void dem_device_steps(const struct dem *d, int64_t *made, int64_t *parts, int64_t *repeated)
 {
-    struct dem_device_counts c = {0, 0, 0};
+    struct dem_device_counts c = {.steps = 0};
 
     if (d->state.device)
     {

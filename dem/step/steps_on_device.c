@@ -5,8 +5,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/steps_on_device.h"
+#include "core/clock.h"
 #include "core/error.h"
-#include "device/device.h"
+#include "device/device_steps.h"
 #include "records/energy_balance.h"
 #include "records/grid_averages.h"
 #include "records/timers.h"
@@ -18,7 +19,7 @@
 
 enum
 {
-    MOST_STEPS = 4096,    /* between two looks for a request to stop */
+    MOST_STEPS = 65536,
     FEW_STEPS = 8         /* the state is not moved for fewer; new lists allow more */
 };
 
@@ -74,6 +75,20 @@ static int half_used(const struct dem_state *state)
     return d->spread > 0.25*d->skin;
 }
 
+/* Between batches of steps: reports progress; 1 when there is a request to stop. */
+static int ends(struct dem_state *state, int64_t made)
+{
+    struct dem_progress *const q = &state->progress;
+    const double now = q->report ? dem_clock_wall() : 0.0;
+
+    if (q->report && now - q->last >= q->seconds)
+    {
+        q->last = now;
+        q->report(q->self, state->time + (double)made*state->dt, state->steps + made);
+    }
+    return state->stop_request && *state->stop_request;
+}
+
 /* The host counts the steps, and the displacements of all drifts but the last: it counts that one
    itself, in the next step. When the device has stopped for the lists, they are measured there. */
 static void count_made(struct dem_state *state, const struct dem_device_steps *steps)
@@ -103,6 +118,7 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
     }
     state->steps += more;
     state->time = state->window.start + (double)(steps->first + more)*state->dt;
+    state->timers->steps += more;
     state->timers->particle_steps += more*(int64_t)state->particles.n;
     for (int c = 0; c < state->contacts.rows.classes; c++)
     {
@@ -124,17 +140,21 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     }
     dem_device_set_skins(state, state->next_drift.max_speed);
     steps.displacement = rest_of_lists(state);
+    steps.ends = ends;
     steps.max_speed = dem_limits_max_speed(state);
-    if (steps.displacement < FEW_STEPS*state->next_drift.max_speed*state->dt)
+    if (!dem_device_makes_lists(state->device) && steps.displacement < FEW_STEPS*state->next_drift.max_speed*state->dt)
     {
         state->stale = half_used(state) ? 1 : 0;
         return DEM_OK;
     }
-    DEM_TRY(dem_device_advance(state, &steps));
+    dem_timers_begin_rare_phase(state->timers, DEM_PHASE_REFRESH);
+    const int status = dem_device_advance(state, &steps);
+
+    dem_timers_end_rare_phase(state->timers, DEM_PHASE_DEVICE);
+    DEM_TRY(status);
     if (steps.made > 0)
     {
         count_made(state, &steps);
-        dem_timers_end_phase(state->timers, DEM_PHASE_CONTACTS);
     }
     *made = steps.made;
     return DEM_OK;

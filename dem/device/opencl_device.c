@@ -1,5 +1,5 @@
 /*
- * opencl.c -- find libOpenCL and its devices; memory and work of a device.
+ * opencl_device.c -- find libOpenCL and its devices; memory and work of a device.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -300,6 +300,16 @@ int dem_opencl_read(struct dem_opencl *cl, const struct dem_opencl_memory *m, si
                                           "read its memory");
 }
 
+int dem_opencl_copy(struct dem_opencl *cl, const struct dem_opencl_memory *from,
+                    const struct dem_opencl_memory *to, size_t bytes)
+{
+    return bytes == 0 ? DEM_OK
+                      : dem_opencl_status(cl, cl->calls->clEnqueueCopyBuffer(
+                                                  cl->queue, from->buffer, to->buffer, 0, 0, bytes,
+                                                  0, NULL, NULL),
+                                          "copy its memory");
+}
+
 /* ---- work ------------------------------------------------------------------------------------ */
 
 int dem_opencl_give(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument,
@@ -413,6 +423,13 @@ int dem_opencl_give_number(struct dem_opencl *cl, struct dem_opencl_kernel *k, i
 int dem_opencl_launch(struct dem_opencl *cl, struct dem_opencl_kernel *k, size_t items)
 {
     (void)cl, (void)k, (void)items;
+    return refuse();
+}
+
+int dem_opencl_copy(struct dem_opencl *cl, const struct dem_opencl_memory *from,
+                    const struct dem_opencl_memory *to, size_t bytes)
+{
+    (void)cl, (void)from, (void)to, (void)bytes;
     return refuse();
 }
 

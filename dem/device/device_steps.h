@@ -1,5 +1,5 @@
 /*
- * device.h -- steps on a device, with the same bits as on the CPU.
+ * device_steps.h -- steps on a device, with the same bits as on the CPU.
  *
  * The host owns the state between advances. Within an advance it makes the lists, and the steps that
  * something reads: the last one of a window, samples, backups. From a step on whose lists are valid
@@ -12,8 +12,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_DEVICE_H
-#define DEM_DEVICE_DEVICE_H
+#ifndef DEM_DEVICE_DEVICE_STEPS_H
+#define DEM_DEVICE_DEVICE_STEPS_H
 
 #include "ranks/dem_state.h"
 
@@ -22,22 +22,28 @@ struct dem_device;
 /* Why the steps of this run cannot be made on a device, as a sentence, or "". */
 void dem_device_refusal(const struct dem_state *, char *why, size_t size);
 
-/* Open the device (opencl.h: wanted), build the program, and compare its bits with those of the CPU if
+/* Open the device (opencl_device.h: wanted), build the program, and compare its bits with those of the CPU if
    this program has not been tested with this driver. An error is a sentence; the state is unchanged
    then. */
 int dem_device_begin(struct dem_state *, const char *wanted);
 void dem_device_free(struct dem_state *);
 
-/* Device and driver; bytes that it needs for a state of this size. */
+/* Device and driver. */
 const char *dem_device_name(const struct dem_device *);
-double dem_device_bytes(const struct dem_state *);
+
+/* Memory that these particles need as a dense bed [byte]. */
+double dem_device_memory(const struct dem_state *);
 
 /* The skins of the next lists, for particles of up to this speed [m/s]. */
 void dem_device_set_skins(struct dem_state *, double speed);
 
+/* 1: the device makes lists itself, so that it begins with any. */
+int dem_device_makes_lists(const struct dem_device *);
+
 struct dem_device_counts
 {
     int64_t steps, parts;     /* made on the device, in so many parts between copies of the state */
+    int64_t lists;            /* neighbor lists made on the device */
     int64_t repeated;         /* given up by the device, for an event that the host handles */
 };
 void dem_device_count(const struct dem_device *, struct dem_device_counts *);
@@ -47,6 +53,8 @@ struct dem_device_steps
     int64_t first, most;      /* number of the first step in the window; so many steps, at most */
     double displacement;      /* m  of a particle up to which the lists are valid */
     double max_speed;         /* m/s  of a particle, above which the host makes the step */
+    /* called after each batch of steps; 1: end here */
+    int (*ends)(struct dem_state *, int64_t made);
     int64_t made;             /* result: 0: the host has to make the first one */
     const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
 };

@@ -1,14 +1,14 @@
 /*
- * opencl.h -- an OpenCL device: found, opened, given a program, memory and work.
+ * opencl_device.h -- an OpenCL device: found, opened, given a program, memory and work.
  *
  * libOpenCL is opened at run time, so that a machine without it runs everything else. What the calls
- * of a device return and take hides OpenCL's types: opencl.c and opencl_program.c alone include its
+ * of a device return and take hides OpenCL's types: opencl_device.c and opencl_program.c alone include its
  * headers (Debian: opencl-c-headers). Built without them, every call says so.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_OPENCL_H
-#define DEM_DEVICE_OPENCL_H
+#ifndef DEM_DEVICE_OPENCL_DEVICE_H
+#define DEM_DEVICE_OPENCL_DEVICE_H
 
 #include <stddef.h>
 #include <stdint.h>
@@ -65,6 +65,10 @@ int dem_opencl_give(struct dem_opencl *, struct dem_opencl_kernel *, int argumen
 int dem_opencl_give_number(struct dem_opencl *, struct dem_opencl_kernel *, int argument,
                            uint32_t number);
 int dem_opencl_launch(struct dem_opencl *, struct dem_opencl_kernel *, size_t items);
+
+/* Copy bytes from one memory of the device to another. */
+int dem_opencl_copy(struct dem_opencl *, const struct dem_opencl_memory *from,
+                    const struct dem_opencl_memory *to, size_t bytes);
 
 /* Copy bytes to the memory of the device; from it, after all work before. */
 int dem_opencl_write(struct dem_opencl *, const struct dem_opencl_memory *, size_t offset,

@@ -1,0 +1,437 @@
+/*
+ * device_steps.c -- open a device, and make steps on it.
+ *
+ * A step is one kernel for each pair class and one for the particles, in this order; the queue keeps
+ * it. After up to DEM_DEVICE_BATCH steps the host reads a report. A step of which the lists might
+ * miss a contact is left out by the kernels themselves, and so are all after it. Then displacements
+ * are measured, and lists are made anew if they are used up.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "device/device_steps.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "device/device_internal.h"
+#include "device/program.h"
+#include "device/self_test.h"
+#include "laws/effect.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum
+{
+    BED_ROWS = 8,      /* pairs a particle in a dense bed of equal spheres, with usual skins */
+    LIST_STEPS = 64    /* that lists last at the present largest speed, if skins allow */
+};
+
+/* ---- open and close ---------------------------------------------------------------------------- */
+
+static int is_curved(const struct dem_state *state)
+{
+    return !state->walls.all_flat_static;
+}
+
+static int find_kernels(struct dem_device *d)
+{
+    static const char *const lists[DEM_LISTS_KERNELS] = {
+        "lists_images", "lists_cells", "lists_order", "lists_count", "lists_find", "lists_rows",
+        "lists_entries", "lists_history", "lists_displacement", "lists_refer", "scan_clear",
+        "scan_blocks", "scan_sums", "scan_finish", "lists_totals"};
+
+    for (int k = 0; k < d->classes; k++)
+    {
+        char name[32];
+
+        snprintf(name, sizeof name, "rows_%d", k);
+        DEM_TRY(dem_opencl_kernel(d->cl, name, &d->of_rows[k]));
+    }
+    for (int k = 0; k < DEM_LISTS_KERNELS; k++)
+    {
+        DEM_TRY(dem_opencl_kernel(d->cl, lists[k], &d->of_lists[k]));
+    }
+    DEM_TRY(dem_opencl_kernel(d->cl, "bodies", &d->bodies));
+    return dem_opencl_kernel(d->cl, "clear_apart", &d->clear);
+}
+
+static int build(struct dem_device *d, const struct dem_state *state)
+{
+    struct dem_text text = {.text = NULL};
+    uint64_t key = 0;
+    int status = dem_device_program(&state->interaction_table, is_curved(state), &text);
+
+    status = status ? status : dem_opencl_build(d->cl, text.text, &key);
+    dem_text_free(&text);
+    DEM_TRY(status);
+    if (!dem_opencl_has_note(key, "tested"))
+    {
+        DEM_TRY(dem_device_self_test(d->cl, &state->interaction_table));
+        dem_opencl_make_note(key, "tested");
+    }
+    return find_kernels(d);
+}
+
+static int put_constants(struct dem_device *d, const struct dem_state *state)
+{
+    struct dem_device_axes axes;
+
+    memset(&axes, 0, sizeof axes);
+    for (int k = 0; k < 3; k++)
+    {
+        axes.round[k] = state->domain.round[k];
+        axes.flat[k] = state->domain.flat[k];
+    }
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->axes, sizeof axes));
+    DEM_TRY(dem_opencl_write(d->cl, &d->axes, 0, sizeof axes, &axes));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->shift, sizeof state->pairs.shift));
+    DEM_TRY(dem_opencl_write(d->cl, &d->shift, 0, sizeof state->pairs.shift, state->pairs.shift));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->batch, sizeof(struct dem_device_batch)));
+    return dem_opencl_reserve(d->cl, &d->report, sizeof(struct dem_device_report));
+}
+
+/* Candidates are all pairs, so that nothing is pruned. */
+static void choose_skins(struct dem_device *d, struct dem_state *state)
+{
+    struct dem_skins *const s = &state->pairs.skins;
+    const double outer = s->skin[DEM_LIST_OUTER], max = s->tuned ? s->max : outer;
+
+    d->min_skin = outer;
+    d->max_skin = fmax(max, outer);
+    dem_skins_init(s, (const double[2]){outer, outer}, 0, outer, d->max_skin);
+    state->stale = state->stale == 2 ? 2 : 1;
+}
+
+static double skin_for(const struct dem_device *d, double speed, double dt)
+{
+    return fmin(fmax(d->min_skin, 2.0*LIST_STEPS*speed*dt), d->max_skin);
+}
+
+void dem_device_set_skins(struct dem_state *state, double speed)
+{
+    const struct dem_device *const d = state->device;
+    const double skin = skin_for(d, speed, state->dt);
+
+    state->pairs.skins.skin[DEM_LIST_OUTER] = state->pairs.skins.skin[DEM_LIST_INNER] = skin;
+}
+
+int dem_device_makes_lists(const struct dem_device *d)
+{
+    return d->makes_lists;
+}
+
+void dem_device_count(const struct dem_device *d, struct dem_device_counts *c)
+{
+    *c = d->counts;
+}
+
+int dem_device_begin(struct dem_state *state, const char *wanted)
+{
+    struct dem_device *d;
+    int status;
+
+    DEM_TRY(DEM_NEW(d, 1));
+    state->device = d;
+    d->classes = state->interaction_table.classes;
+    status = dem_opencl_open(&d->cl, wanted);
+    status = status ? status : build(d, state);
+    status = status ? status : put_constants(d, state);
+    status = status ? status : dem_device_begin_lists(d, state);
+    if (status)
+    {
+        dem_device_free(state);
+        return status;
+    }
+    const struct dem_opencl_info *const info = dem_opencl_device(d->cl);
+
+    snprintf(d->name, sizeof d->name, "%s (%s, driver %s)", info->name, info->platform,
+             info->driver);
+    choose_skins(d, state);
+    return DEM_OK;
+}
+
+struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
+{
+    struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
+    struct dem_opencl_memory *const all[] = {
+        &d->axes, &d->shift, &d->facets, &d->pair_class, &d->wall_class, &d->batch, &d->report,
+        &d->record, &d->lost, &d->before_record, &d->before_lost, &d->force, &d->moment,
+        &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
+        &d->place, &d->first, &d->order, &d->row_first, &d->sums, &d->partner, &d->image,
+        &d->totals, &d->largest, &a->partners, &a->start, &a->entry, &a->touch, &a->history,
+        &b->partners, &b->start, &b->entry, &b->touch, &b->history};
+
+    return k < sizeof all/sizeof *all ? all[k] : NULL;
+}
+
+void dem_device_free(struct dem_state *state)
+{
+    struct dem_device *const d = state->device;
+
+    if (d)
+    {
+        for (size_t k = 0; d->cl && dem_device_memory_of(d, k); k++)
+        {
+            dem_opencl_release(d->cl, dem_device_memory_of(d, k));
+        }
+        dem_opencl_close(d->cl);
+        dem_memory_free(d->word);
+        dem_memory_free(d->speed);
+    }
+    dem_memory_free(d);
+    state->device = NULL;
+}
+
+const char *dem_device_name(const struct dem_device *d)
+{
+    return d->name;
+}
+
+double dem_device_memory(const struct dem_state *state)
+{
+    const struct dem_interaction_table *const t = &state->interaction_table;
+    const double n = (double)state->particles.n,
+                 rows = fmax((double)state->contacts.rows.n, BED_ROWS*n);
+    const size_t words = 2 + 2, numbers = 8 + 4*(size_t)(t->moments + t->past_touching) +
+                                          (size_t)t->history_columns;
+
+    return n*(double)(sizeof(struct dem_particle) + sizeof(double) + sizeof(uint32_t)) +
+           rows*(double)(1 + words*sizeof(uint32_t) + numbers*sizeof(double));
+}
+
+/* ---- batches of steps -------------------------------------------------------------------------- */
+
+int dem_device_give(struct dem_device *d, struct dem_opencl_kernel *kernel, int from,
+                    struct dem_opencl_memory *const *memory, int n)
+{
+    for (int k = 0; k < n; k++)
+    {
+        DEM_TRY(dem_opencl_give(d->cl, kernel, from + k, memory[k]));
+    }
+    return DEM_OK;
+}
+
+static uint32_t rows_of_class(const struct dem_device *d, int k)
+{
+    const struct dem_device_rows *const list = &d->list[d->at];
+
+    return list->first[k + 1] - list->first[k];
+}
+
+/* All arguments but the number of the step, which is the third one. */
+static int give_arguments(struct dem_device *d)
+{
+    struct dem_device_rows *const list = &d->list[d->at];
+
+    for (int k = 0; k < d->classes; k++)
+    {
+        DEM_TRY(DEM_DEVICE_GIVE(d, d->of_rows[k], 0, &d->batch, &d->report));
+        DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 3, list->first[k]));
+        DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
+        DEM_TRY(DEM_DEVICE_GIVE(d, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
+                                &d->facets, &list->touch, &list->history, &d->force, &d->moment,
+                                &d->energy));
+    }
+    DEM_TRY(DEM_DEVICE_GIVE(d, d->bodies, 0, &d->batch, &d->report));
+    return DEM_DEVICE_GIVE(d, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,
+                           &d->force, &d->moment, &d->energy, &list->start, &list->entry, &d->lost,
+                           &d->axes);
+}
+
+static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
+{
+    for (int k = 0; k < d->classes; k++)
+    {
+        if (rows_of_class(d, k) > 0)
+        {
+            DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 2, s));
+            DEM_TRY(dem_opencl_launch(d->cl, d->of_rows[k], rows_of_class(d, k)));
+        }
+    }
+    DEM_TRY(dem_opencl_give_number(d->cl, d->bodies, 2, s));
+    return dem_opencl_launch(d->cl, d->bodies, state->particles.n);
+}
+
+/* Copy what a batch changes; back: to where it was before the batch. */
+static int copy_state(struct dem_device *d, const struct dem_state *state, int back)
+{
+    struct dem_device_rows *const list = &d->list[d->at];
+    const size_t n = state->particles.n, rows = list->rows;
+    const struct
+    {
+        struct dem_opencl_memory *now, *before;
+        size_t bytes;
+    } part[] = {{&d->record, &d->before_record, n*sizeof *state->particles.record},
+                {&d->lost, &d->before_lost, n*sizeof(double)},
+                {&list->touch, &d->before_touch, rows},
+                {&list->history, &d->before_history,
+                 rows*(size_t)state->interaction_table.history_columns*sizeof(double)}};
+
+    for (size_t k = 0; k < sizeof part/sizeof *part; k++)
+    {
+        DEM_TRY(dem_opencl_copy(d->cl, back ? part[k].before : part[k].now,
+                                back ? part[k].now : part[k].before, part[k].bytes));
+    }
+    return DEM_OK;
+}
+
+struct progress    /* of the steps of an advance */
+{
+    double moved, limit;    /* m  displacement since the lists were made, at most; up to this they
+                               are valid */
+};
+
+static struct dem_device_batch batch_of(const struct dem_device *d, const struct dem_state *state,
+                                        const struct dem_device_steps *steps,
+                                        const struct progress *p)
+{
+    return (struct dem_device_batch){
+        .dt = state->dt,
+        .inverse_dt = 1.0/state->dt,
+        .max_dt = state->max_dt,
+        .window_start = state->window.start,
+        .first = steps->first + steps->made,
+        /* a margin for rounding: the host decides */
+        .max_overlap = state->limits.limit*(1.0 - 0x1p-20),
+        .overlap = (float)state->limits.overlap,
+        .start = (float)(p->moved*(1.0 + 1e-6)),
+        .limit = (float)(p->limit*(1.0 - 1e-6)),
+        .particles = (uint32_t)state->particles.n,
+        .stride = d->list[d->at].rows,
+        .walls = d->list[d->at].walls};
+}
+
+/* A batch of up to n steps; *made: how many. Its report is in d->seen. */
+static int make_batch(struct dem_device *d, const struct dem_state *state,
+                      const struct dem_device_steps *steps, const struct progress *p, uint32_t n,
+                      uint32_t *made)
+{
+    const struct dem_device_batch batch = batch_of(d, state, steps, p);
+
+    memset(&d->seen, 0, sizeof d->seen);
+    d->seen.overlap = batch.overlap;
+    DEM_TRY(copy_state(d, state, 0));
+    DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
+    DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
+    for (uint32_t s = 0; s < n; s++)
+    {
+        DEM_TRY(launch_step(d, state, s));
+    }
+    DEM_TRY(dem_opencl_read(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
+    for (*made = 0; *made < n && d->seen.bound[*made] <= batch.limit; ++*made)
+    {
+    }
+    return DEM_OK;
+}
+
+/* The speeds of a batch. Returns 1 when a drift between two steps was too fast for the device. The
+   last drift of all is checked by the host, which has its positions then. */
+static int add_speeds(struct dem_device *d, const struct dem_device_steps *steps, uint32_t made,
+                      double dt, struct progress *p)
+{
+    int fast = made > 0 && steps->made > 0 && !(d->last_speed <= steps->max_speed);
+
+    for (uint32_t s = 0; s < made; s++)
+    {
+        const double speed = sqrt((double)d->seen.fastest[s]);
+
+        fast |= s + 1 < made && !(speed <= steps->max_speed);
+        d->speed[steps->made + s] = speed;
+        p->moved += speed*dt;
+    }
+    return fast;
+}
+
+/* Steps of the next batch: as many as the lists are likely to allow. */
+static uint32_t batch_size(const struct dem_device *d, const struct dem_device_steps *steps,
+                           const struct progress *p, double dt)
+{
+    const double rest = fmax(p->limit - p->moved, 0.0),
+                 likely = d->last_speed > 0.0 ? 1.05*rest/(d->last_speed*dt) + 2.0
+                                              : DEM_DEVICE_BATCH;
+
+    return (uint32_t)fmin(fmin(likely, DEM_DEVICE_BATCH), (double)(steps->most - steps->made));
+}
+
+/* One batch. *end: 1 when the host has to go on, from the state before the batch. */
+static int advance_batch(struct dem_device *d, struct dem_state *state,
+                         struct dem_device_steps *steps, struct progress *p, int *end)
+{
+    const uint32_t n = batch_size(d, steps, p, state->dt);
+    uint32_t made;
+
+    DEM_TRY(make_batch(d, state, steps, p, n, &made));
+    const int fast = add_speeds(d, steps, made, state->dt, p);
+
+    if (d->seen.events || fast)
+    {
+        *end = 1;
+        /* state->steps is the first step's */
+        d->host_until = state->steps + steps->made + n;
+        d->counts.repeated += n;
+        return copy_state(d, state, 1);
+    }
+    d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
+    steps->made += made;
+    state->limits.overlap = fmax(state->limits.overlap, (double)d->seen.overlap);
+    return DEM_OK;
+}
+
+/* The lists may be used up: measure, and make new ones if more than half of the displacement is. */
+static int renew_lists(struct dem_device *d, struct dem_state *state, struct progress *p, int *end)
+{
+    const double skin = skin_for(d, d->last_speed, state->dt);
+
+    DEM_TRY(dem_device_displacement(d, state, &p->moved));
+    if (p->moved <= 0.5*p->limit)
+    {
+        return DEM_OK;
+    }
+    *end = !d->makes_lists;
+    if (d->makes_lists)
+    {
+        DEM_TRY(dem_device_make_lists(d, state, skin, end));
+        DEM_TRY(give_arguments(d));
+        p->moved = 0.0;
+        p->limit = 0.5*skin;
+    }
+    return DEM_OK;
+}
+
+int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
+{
+    struct dem_device *const d = state->device;
+    struct progress p = {.moved = 0.0, .limit = steps->displacement};
+    int end = 0;
+
+    steps->made = 0;
+    if (state->steps <= d->host_until)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
+    steps->speed = d->speed;
+    DEM_TRY(dem_device_put(d, state));
+    DEM_TRY(dem_device_refer(d, state));
+    DEM_TRY(give_arguments(d));
+    while (!end && steps->made < steps->most && !steps->ends(state, steps->made))
+    {
+        const int64_t before = steps->made;
+
+        if (p.moved <= p.limit)
+        {
+            DEM_TRY(advance_batch(d, state, steps, &p, &end));
+        }
+        if (!end && steps->made < steps->most && (p.moved > p.limit || steps->made == before))
+        {
+            DEM_TRY(renew_lists(d, state, &p, &end));
+        }
+    }
+    if (steps->made == 0)
+    {
+        /* nothing has changed on the host, and the device has its lists */
+        return DEM_OK;
+    }
+    d->counts.steps += steps->made;
+    d->counts.parts++;
+    return dem_device_get(d, state);
+}
