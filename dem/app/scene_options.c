@@ -177,6 +177,22 @@ static int accept_coupling(const struct dem_dict *scene, int *present)
     return DEM_OK;
 }
 
+/* Names of devices have blanks: a text in quotes. */
+static int set_device(const struct dem_request *r, struct dem_case *c)
+{
+    char text[256];
+
+    DEM_REQUIRE(!r->device || (strlen(r->device) < 200 && !strchr(r->device, '"')), DEM_ERROR_INPUT,
+                "-device %.200s: give gpu, or a part of a name of dem run -device list",
+                r->device);
+    if (!r->device)
+    {
+        return DEM_OK;
+    }
+    snprintf(text, sizeof text, "\"%s\"", r->device);
+    return dem_case_set(c, "device", text);
+}
+
 /* Each rank reads the scene and the options by itself. */
 static int read_scene(const struct dem_request *r, struct dem_case *c, struct dem_schedule *s)
 {
@@ -185,7 +201,7 @@ static int read_scene(const struct dem_request *r, struct dem_case *c, struct de
     {
         DEM_TRY(dem_case_set(c, r->set[k][0], r->set[k][1]));
     }
-    DEM_TRY(r->device ? dem_case_set(c, "device", r->device) : DEM_OK);
+    DEM_TRY(set_device(r, c));
     if (r->restart)
     {
         DEM_TRY(dem_case_load(c, r->restart));

@@ -115,7 +115,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
                     dem_facets_interact(facets + partners[row].y, facets + partners[other].y, at,
                                         x.w))
                 {
-                    dem_report_event(report, DEM_DEVICE_CORNER);
+                    dem_report_event(report, DEM_DEVICE_CORNER, s);
                 }
             }
         }

@@ -309,6 +309,7 @@ static int make_batch(struct dem_device *d, const struct dem_state *state,
 
     memset(&d->seen, 0, sizeof d->seen);
     d->seen.overlap = batch.overlap;
+    d->seen.event_step = UINT32_MAX;
     DEM_TRY(copy_state(d, state, 0));
     DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
     DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
@@ -364,10 +365,12 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
 
     if (d->seen.events || fast)
     {
+        const uint32_t until = fast || d->seen.event_step >= n ? n : d->seen.event_step + 1;
+
         *end = 1;
         /* state->steps is the first step's */
-        d->host_until = state->steps + steps->made + n;
-        d->counts.repeated += n;
+        d->host_until = state->steps + steps->made + until - 1;
+        d->counts.repeated += until;
         return copy_state(d, state, 1);
     }
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;

@@ -1,14 +1,14 @@
 /*
  * device_steps.h -- steps on a device, with the same bits as on the CPU.
  *
- * The host owns the state between advances. Within an advance it makes the lists, and the steps that
- * something reads: the last one of a window, samples, backups. From a step on whose lists are valid
- * the device makes the steps up to the next of these, or until the lists are used up: the state goes
- * up (dem_device_advance), steps are made, the state comes down. Whatever reads the state finds it
- * on the host, and files do not know of the device.
+ * The host owns the state between advances. Within an advance it makes the steps that something
+ * reads: the last one of a window, samples, backups. From a step on whose lists are valid the device
+ * makes the steps up to the next of these: the state goes up, steps and new lists are made, the state
+ * comes down (dem_device_advance). Whatever reads the state finds it on the host, and files do not
+ * know of the device.
  *
- * Events that the host has to report or to handle end the device's steps: the device's state is
- * dropped, and the host makes these steps itself, from the state that it still has.
+ * Events that the host has to report or to handle take the device back to the state before its last
+ * batch of steps; the host makes the steps up to the event from there.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -29,9 +29,10 @@ static int dem_used_up(constant struct dem_device_batch *b, global struct dem_de
     return !(bound <= b->limit);
 }
 
-static void dem_report_event(global struct dem_device_report *report, uint event)
+static void dem_report_event(global struct dem_device_report *report, uint event, uint s)
 {
     atomic_or((volatile global uint *)&report->events, event);
+    atomic_min((volatile global uint *)&report->event_step, s);
 }
 
 /* ---- geometry ---------------------------------------------------------------------------------- */
@@ -169,7 +170,7 @@ static void dem_row_add_gap(global const double4 *restrict record, uint2 partner
 /* ---- what ends a run --------------------------------------------------------------------------- */
 
 static void dem_row_check(constant struct dem_device_batch *b,
-                          global struct dem_device_report *report, int with_wall,
+                          global struct dem_device_report *report, uint s, int with_wall,
                           const struct dem_contact_row *r, global const struct dem_facet *facet)
 {
     const float fraction = (float)(0.5*r->overlap/r->min_radius);
@@ -181,20 +182,20 @@ static void dem_row_check(constant struct dem_device_batch *b,
     }
     if (0.5*r->overlap >= b->max_overlap*r->min_radius)
     {
-        dem_report_event(report, DEM_DEVICE_OVERLAP);
+        dem_report_event(report, DEM_DEVICE_OVERLAP, s);
     }
     if (!(sum*0.0 == 0.0))
     {
-        dem_report_event(report, DEM_DEVICE_NOT_FINITE);
+        dem_report_event(report, DEM_DEVICE_NOT_FINITE, s);
     }
     if (r->broke > 0.0)
     {
-        dem_report_event(report, DEM_DEVICE_BROKE);
+        dem_report_event(report, DEM_DEVICE_BROKE, s);
     }
     /* the centre was on the other side a step ago */
     if (with_wall && r->touching > 0.0 && r->vn*r->dt > r->min_radius - r->overlap &&
         (facet->shape == DEM_SHAPE_TRIANGLES || (facet->shape != DEM_SHAPE_PLANE && facet->outside)))
     {
-        dem_report_event(report, DEM_DEVICE_CROSSED);
+        dem_report_event(report, DEM_DEVICE_CROSSED, s);
     }
 }

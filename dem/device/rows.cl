@@ -61,7 +61,7 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
     }
 #define STORE_COLUMN(m, column) history[(size_t)(column)*b->stride + row] = h[m];
     COLUMN_OF(STORE_COLUMN)
-    dem_row_check(b, report, WITH_WALL, &r, facets + (WITH_WALL ? partners[row].y : 0));
+    dem_row_check(b, report, s, WITH_WALL, &r, facets + (WITH_WALL ? partners[row].y : 0));
 
     const double factor = WITH_WALL ? 1.0 : 0.5,
                  arm = PAST_TOUCHING ? -factor*r.gap : factor*r.overlap;

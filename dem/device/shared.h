@@ -47,6 +47,7 @@ struct dem_device_lists
 struct dem_device_report
 {
     uint32_t events;                        /* enum dem_device_event, or-ed */
+    uint32_t event_step;                    /* the first step of the batch with one */
     float overlap;                          /* 1  largest overlap over the smaller diameter */
     float fastest[DEM_DEVICE_BATCH];        /* m2/s2  square of the largest speed of each step,
                                                rounded up */
