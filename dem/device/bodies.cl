@@ -8,33 +8,25 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 
-/* Height over the facet of a wall row. */
-static double dem_wall_height(global const struct dem_facet *in_memory, const double x[3],
-                              double point[3], double normal[3])
-{
-    const struct dem_facet facet = *in_memory;
-
-    return dem_facet_touch(&facet, x, x, point, normal);
-}
-
 /* 1 when the host would drop or blend one of two touching wall contacts, or share their springs:
    nearly parallel normals, one contact point, or the contact point of one on the other's facet. The
    limits are wider than walls/wall_touch.c and step/wall_springs.c have, so the host decides. */
 static int dem_facets_interact(global const struct dem_facet *a, global const struct dem_facet *b,
-                               const double x[3], double radius)
+                               global const struct dem_device_frame *frames, const double x[3],
+                               double radius)
 {
     const double near = 2e-7*radius, nearly_flat = 0.866;
     double point_a[3], normal_a[3], point_b[3], normal_b[3], apart[3], on[3], there[3];
 
-    if (dem_wall_height(a, x, point_a, normal_a) >= radius ||
-        dem_wall_height(b, x, point_b, normal_b) >= radius)
+    if (dem_wall_touch(a, frames, x, point_a, normal_a) >= radius ||
+        dem_wall_touch(b, frames, x, point_b, normal_b) >= radius)
     {
         return 0;
     }
     dem_vec_minus(point_a, point_b, apart);
     return dem_vec_dot(normal_a, normal_b) > nearly_flat || dem_vec_norm(apart) < near ||
-           fabs(dem_wall_height(b, point_a, on, there)) < near ||
-           fabs(dem_wall_height(a, point_b, on, there)) < near;
+           fabs(dem_wall_touch(b, frames, point_a, on, there)) < near ||
+           fabs(dem_wall_touch(a, frames, point_b, on, there)) < near;
 }
 
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
@@ -44,7 +36,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
             global const double4 *restrict force, global const double4 *restrict moment,
             global const double4 *restrict energy, global const uint *restrict start,
             global const uint *restrict entry, global double *restrict lost,
-            constant struct dem_device_axes *axes)
+            constant struct dem_device_axes *axes,
+            global const struct dem_device_frame *restrict frames)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -112,8 +105,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
                 const double at[3] = {x.x, x.y, x.z};
 
                 if (touch[row] && other >= b->walls && touch[other] &&
-                    dem_facets_interact(facets + partners[row].y, facets + partners[other].y, at,
-                                        x.w))
+                    dem_facets_interact(facets + partners[row].y, facets + partners[other].y,
+                                        frames + s*b->frames, at, x.w))
                 {
                     dem_report_event(report, DEM_DEVICE_CORNER, s);
                 }

@@ -41,7 +41,7 @@ struct dem_device
     struct dem_opencl_kernel *of_lists[DEM_LISTS_KERNELS];
 
     /* constants, a batch of steps and its report */
-    struct dem_opencl_memory axes, shift, facets, pair_class, wall_class, batch, report;
+    struct dem_opencl_memory axes, shift, facets, frames, pair_class, wall_class, batch, report;
     /* of particles, and a copy from before the batch */
     struct dem_opencl_memory record, lost, before_record, before_lost;
     /* of rows: the present lists and those before; results of a step; a copy */
@@ -60,6 +60,8 @@ struct dem_device
     double min_skin, max_skin;          /* m */
     struct dem_device_counts counts;
     struct dem_device_report seen;
+    struct dem_device_frame *frame;     /* of the steps of a batch */
+    size_t frames_capacity;
     double *speed;
     uint32_t *word;                     /* scratch */
     size_t speeds, words;
@@ -79,15 +81,12 @@ int dem_device_make_lists(struct dem_device *, const struct dem_state *, double 
 int dem_device_displacement(struct dem_device *, const struct dem_state *, double *moved);
 int dem_device_refer(struct dem_device *, const struct dem_state *);
 
+/* device_walls.c: walls move along with the steps of a batch. */
+int dem_device_move_walls(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
+                          struct dem_device_batch *, uint32_t *n, double skin);
+void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *);
+
 /* All memory in turn, for k from 0; NULL past the last. */
 struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);
-
-/* Give memory to the arguments of a kernel from `from` on. */
-int dem_device_give(struct dem_device *, struct dem_opencl_kernel *, int from,
-                    struct dem_opencl_memory *const *memory, int n);
-#define DEM_DEVICE_GIVE(d, kernel, from, ...)                                                  \
-    dem_device_give(d, kernel, from, (struct dem_opencl_memory *const[]){__VA_ARGS__},         \
-                    (int)(sizeof(struct dem_opencl_memory *const[]){__VA_ARGS__}/              \
-                          sizeof(struct dem_opencl_memory *)))
 
 #endif

@@ -49,10 +49,28 @@ static int put_classes(struct dem_device *d, const struct dem_state *state)
     return dem_opencl_write(d->cl, &d->wall_class, 0, walls*sizeof *d->word, d->word + pairs);
 }
 
+/* A facet names the frame of its wall. */
+static int put_facets(struct dem_device *d, const struct dem_walls *w)
+{
+    const size_t bytes = (size_t)w->facets*sizeof *w->facet;
+    struct dem_facet *facet;
+
+    DEM_TRY(DEM_NEW(facet, w->facets + 1));
+    memcpy(facet, w->facet, bytes);
+    for (int k = 0; k < w->facets; k++)
+    {
+        facet[k].wall = w->wall[w->facet[k].wall].frame;
+    }
+    int status = dem_opencl_reserve(d->cl, &d->facets, bytes);
+
+    status = status ? status : dem_opencl_write(d->cl, &d->facets, 0, bytes, facet);
+    dem_memory_free(facet);
+    return status;
+}
+
 int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_interaction_table *const t = &state->interaction_table;
-    const size_t facets = (size_t)state->walls.facets*sizeof *state->walls.facet;
     double min = INFINITY;
 
     for (int m = 0; m < t->materials; m++)
@@ -61,8 +79,7 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     }
     d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !state->domain.remove &&
                      state->flows->n == 0;
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->facets, facets));
-    DEM_TRY(dem_opencl_write(d->cl, &d->facets, 0, facets, state->walls.facet));
+    DEM_TRY(put_facets(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));
@@ -152,7 +169,7 @@ static int clear(struct dem_device *d, struct dem_opencl_memory *m, size_t n)
 
     DEM_TRY(dem_opencl_reserve(d->cl, m, (n + 1)*sizeof(uint32_t)));
     DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)(n + 1)));
-    DEM_TRY(dem_opencl_give(d->cl, k, 1, m));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, m));
     return dem_opencl_launch(d->cl, k, n + 1);
 }
 
@@ -164,13 +181,13 @@ static int scan(struct dem_device *d, struct dem_opencl_memory *m, size_t n)
 
     DEM_TRY(dem_opencl_reserve(d->cl, &d->sums, (blocks + 1)*sizeof(uint32_t)));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_BLOCKS], 0, (uint32_t)n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_SCAN_BLOCKS], 1, m, &d->sums));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_BLOCKS], 1, m, &d->sums));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_SCAN_BLOCKS], blocks*DEM_DEVICE_GROUP));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_SUMS], 0, (uint32_t)blocks));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_SCAN_SUMS], 1, &d->sums));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_SUMS], 1, &d->sums));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_SCAN_SUMS], DEM_DEVICE_GROUP));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_FINISH], 0, (uint32_t)n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_SCAN_FINISH], 1, m, &d->sums));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_FINISH], 1, m, &d->sums));
     return dem_opencl_launch(d->cl, k[DEM_SCAN_FINISH], blocks*DEM_DEVICE_GROUP);
 }
 
@@ -191,13 +208,13 @@ static int sort_particles(struct dem_device *d, const struct dem_device_lists *l
     DEM_TRY(clear(d, &d->first, cells));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 0, old->rows));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 1, old->walls));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_IMAGES], 2, &d->record, &old->partners, &d->image));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_IMAGES], 2, &d->record, &old->partners, &d->image));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_IMAGES], old->walls));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_CELLS], 0, &d->lists, &d->record, &d->reference, &d->cell,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_CELLS], 0, &d->lists, &d->record, &d->reference, &d->cell,
                             &d->place, &d->first, &d->largest));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_CELLS], n));
     DEM_TRY(scan(d, &d->first, cells));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_ORDER], 0, &d->lists, &d->cell, &d->place, &d->first,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ORDER], 0, &d->lists, &d->cell, &d->place, &d->first,
                             &d->order));
     return dem_opencl_launch(d->cl, k[DEM_LISTS_ORDER], n);
 }
@@ -211,15 +228,15 @@ static int count(struct dem_device *d, const struct dem_state *state, struct dem
 
     DEM_TRY(clear(d, &list->start, n));
     DEM_TRY(clear(d, &d->row_first, classes*n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_COUNT], 0, &d->lists, &d->record, &d->first, &d->order,
-                            &d->pair_class, &d->wall_class, &d->facets, &list->start,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_COUNT], 0, &d->lists, &d->record, &d->first, &d->order,
+                            &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
                             &d->row_first));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_COUNT], n));
     DEM_TRY(scan(d, &list->start, n));
     DEM_TRY(scan(d, &d->row_first, classes*n));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_TOTALS], 0, (uint32_t)n));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_TOTALS], 1, (uint32_t)classes));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_TOTALS], 2, &d->row_first, &list->start, &d->totals));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_TOTALS], 2, &d->row_first, &list->start, &d->totals));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_TOTALS], classes + 1));
     DEM_TRY(dem_opencl_read(d->cl, &d->totals, 0, (classes + 1)*sizeof *list->first, list->first));
     DEM_TRY(dem_opencl_read(d->cl, &d->totals, (classes + 1)*sizeof entries, sizeof entries, &entries));
@@ -240,17 +257,18 @@ static int fill(struct dem_device *d, const struct dem_state *state, struct dem_
     struct dem_opencl_kernel *const *const k = d->of_lists;
     const size_t n = state->particles.n;
 
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_FIND], 0, &d->lists, &d->record, &d->first, &d->order,
-                            &d->pair_class, &d->wall_class, &d->facets, &list->start, &d->partner));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_FIND], 0, &d->lists, &d->record, &d->first, &d->order,
+                            &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+                            &d->partner));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_FIND], n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_ROWS], 0, &d->lists, &d->record, &d->pair_class,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ROWS], 0, &d->lists, &d->record, &d->pair_class,
                             &d->wall_class, &list->start, &d->partner, &d->row_first,
                             &list->partners, &list->entry));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_ROWS], n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_ENTRIES], 0, &d->lists, &d->record, &list->start,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ENTRIES], 0, &d->lists, &d->record, &list->start,
                             &d->partner, &list->entry));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_ENTRIES], n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k[DEM_LISTS_HISTORY], 0, &d->lists, &d->record, &list->start,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_HISTORY], 0, &d->lists, &d->record, &list->start,
                             &d->partner, &list->entry, &old->start, &old->entry, &old->partners,
                             &d->image, &old->touch, &old->history, &list->touch, &list->history));
     return dem_opencl_launch(d->cl, k[DEM_LISTS_HISTORY], n);
@@ -288,7 +306,7 @@ int dem_device_displacement(struct dem_device *d, const struct dem_state *state,
 
     DEM_TRY(dem_opencl_write(d->cl, &d->largest, 0, sizeof bits, &bits));
     DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)state->particles.n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k, 1, &d->record, &d->reference, &d->largest));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, &d->record, &d->reference, &d->largest));
     DEM_TRY(dem_opencl_launch(d->cl, k, state->particles.n));
     DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof bits, &bits));
     memcpy(&square, &bits, sizeof square);
@@ -303,6 +321,6 @@ int dem_device_refer(struct dem_device *d, const struct dem_state *state)
 
     DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*n*sizeof(double)));
     DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)n));
-    DEM_TRY(DEM_DEVICE_GIVE(d, k, 1, &d->record, &d->reference));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, &d->record, &d->reference));
     return dem_opencl_launch(d->cl, k, n);
 }

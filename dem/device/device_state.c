@@ -144,7 +144,7 @@ static int clear_apart(struct dem_device *d, int columns)
 
     DEM_TRY(dem_opencl_give_number(d->cl, d->clear, 0, list->rows));
     DEM_TRY(dem_opencl_give_number(d->cl, d->clear, 1, (uint32_t)columns));
-    DEM_TRY(DEM_DEVICE_GIVE(d, d->clear, 2, &list->touch, &list->history));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->clear, 2, &list->touch, &list->history));
     return dem_opencl_launch(d->cl, d->clear, list->rows);
 }
 

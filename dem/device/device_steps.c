@@ -27,7 +27,7 @@ enum
 
 /* ---- open and close ---------------------------------------------------------------------------- */
 
-static int is_curved(const struct dem_state *state)
+static int has_surface(const struct dem_state *state)
 {
     return !state->walls.all_flat_static;
 }
@@ -58,7 +58,7 @@ static int build(struct dem_device *d, const struct dem_state *state)
 {
     struct dem_text text = {.text = NULL};
     uint64_t key = 0;
-    int status = dem_device_program(&state->interaction_table, is_curved(state), &text);
+    int status = dem_device_program(&state->interaction_table, has_surface(state), &text);
 
     status = status ? status : dem_opencl_build(d->cl, text.text, &key);
     dem_text_free(&text);
@@ -153,7 +153,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
 {
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
-        &d->axes, &d->shift, &d->facets, &d->pair_class, &d->wall_class, &d->batch, &d->report,
+        &d->axes, &d->shift, &d->facets, &d->frames, &d->pair_class, &d->wall_class, &d->batch, &d->report,
         &d->record, &d->lost, &d->before_record, &d->before_lost, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
         &d->place, &d->first, &d->order, &d->row_first, &d->sums, &d->partner, &d->image,
@@ -175,6 +175,7 @@ void dem_device_free(struct dem_state *state)
         }
         dem_opencl_close(d->cl);
         dem_memory_free(d->word);
+        dem_memory_free(d->frame);
         dem_memory_free(d->speed);
     }
     dem_memory_free(d);
@@ -200,16 +201,6 @@ double dem_device_memory(const struct dem_state *state)
 
 /* ---- batches of steps -------------------------------------------------------------------------- */
 
-int dem_device_give(struct dem_device *d, struct dem_opencl_kernel *kernel, int from,
-                    struct dem_opencl_memory *const *memory, int n)
-{
-    for (int k = 0; k < n; k++)
-    {
-        DEM_TRY(dem_opencl_give(d->cl, kernel, from + k, memory[k]));
-    }
-    return DEM_OK;
-}
-
 static uint32_t rows_of_class(const struct dem_device *d, int k)
 {
     const struct dem_device_rows *const list = &d->list[d->at];
@@ -224,17 +215,17 @@ static int give_arguments(struct dem_device *d)
 
     for (int k = 0; k < d->classes; k++)
     {
-        DEM_TRY(DEM_DEVICE_GIVE(d, d->of_rows[k], 0, &d->batch, &d->report));
+        DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 0, &d->batch, &d->report));
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 3, list->first[k]));
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
-        DEM_TRY(DEM_DEVICE_GIVE(d, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
+        DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
                                 &d->facets, &list->touch, &list->history, &d->force, &d->moment,
-                                &d->energy));
+                                &d->energy, &d->frames));
     }
-    DEM_TRY(DEM_DEVICE_GIVE(d, d->bodies, 0, &d->batch, &d->report));
-    return DEM_DEVICE_GIVE(d, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
+    return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,
                            &d->force, &d->moment, &d->energy, &list->start, &list->entry, &d->lost,
-                           &d->axes);
+                           &d->axes, &d->frames);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
@@ -276,8 +267,9 @@ static int copy_state(struct dem_device *d, const struct dem_state *state, int b
 
 struct progress    /* of the steps of an advance */
 {
-    double moved, limit;    /* m  displacement since the lists were made, at most; up to this they
-                               are valid */
+    double moved;    /* m  displacement since the lists were made, at most */
+    double skin;     /* m  of the device's lists; 0: they are the host's */
+    double rest;     /* m  displacement up to which they are valid, with the walls where they were */
 };
 
 static struct dem_device_batch batch_of(const struct dem_device *d, const struct dem_state *state,
@@ -294,33 +286,35 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .max_overlap = state->limits.limit*(1.0 - 0x1p-20),
         .overlap = (float)state->limits.overlap,
         .start = (float)(p->moved*(1.0 + 1e-6)),
-        .limit = (float)(p->limit*(1.0 - 1e-6)),
         .particles = (uint32_t)state->particles.n,
         .stride = d->list[d->at].rows,
         .walls = d->list[d->at].walls};
 }
 
-/* A batch of up to n steps; *made: how many. Its report is in d->seen. */
-static int make_batch(struct dem_device *d, const struct dem_state *state,
-                      const struct dem_device_steps *steps, const struct progress *p, uint32_t n,
+/* A batch of up to *n steps; *made: how many. Its report is in d->seen. */
+static int make_batch(struct dem_device *d, struct dem_state *state,
+                      const struct dem_device_steps *steps, struct progress *p, uint32_t *n,
                       uint32_t *made)
 {
-    const struct dem_device_batch batch = batch_of(d, state, steps, p);
+    struct dem_device_batch batch = batch_of(d, state, steps, p);
 
     memset(&d->seen, 0, sizeof d->seen);
     d->seen.overlap = batch.overlap;
     d->seen.event_step = UINT32_MAX;
+    DEM_TRY(dem_device_move_walls(d, state, steps, &batch, n, p->skin));
     DEM_TRY(copy_state(d, state, 0));
     DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
     DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
-    for (uint32_t s = 0; s < n; s++)
+    DEM_TRY(give_arguments(d));
+    for (uint32_t s = 0; s < *n; s++)
     {
         DEM_TRY(launch_step(d, state, s));
     }
     DEM_TRY(dem_opencl_read(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
-    for (*made = 0; *made < n && d->seen.bound[*made] <= batch.limit; ++*made)
+    for (*made = 0; *made < *n && d->seen.bound[*made] <= batch.limit[*made]; ++*made)
     {
     }
+    p->rest = *n > 0 ? (double)batch.limit[*made < *n ? *made : *n - 1] : 0.0;
     return DEM_OK;
 }
 
@@ -346,7 +340,7 @@ static int add_speeds(struct dem_device *d, const struct dem_device_steps *steps
 static uint32_t batch_size(const struct dem_device *d, const struct dem_device_steps *steps,
                            const struct progress *p, double dt)
 {
-    const double rest = fmax(p->limit - p->moved, 0.0),
+    const double rest = fmax(p->rest - p->moved, 0.0),
                  likely = d->last_speed > 0.0 ? 1.05*rest/(d->last_speed*dt) + 2.0
                                               : DEM_DEVICE_BATCH;
 
@@ -357,11 +351,11 @@ static uint32_t batch_size(const struct dem_device *d, const struct dem_device_s
 static int advance_batch(struct dem_device *d, struct dem_state *state,
                          struct dem_device_steps *steps, struct progress *p, int *end)
 {
-    const uint32_t n = batch_size(d, steps, p, state->dt);
-    uint32_t made;
+    const uint32_t wanted = batch_size(d, steps, p, state->dt);
+    uint32_t n = wanted, made;
 
-    DEM_TRY(make_batch(d, state, steps, p, n, &made));
-    const int fast = add_speeds(d, steps, made, state->dt, p);
+    DEM_TRY(make_batch(d, state, steps, p, &n, &made));
+    const int fast = n < wanted || add_speeds(d, steps, made, state->dt, p);
 
     if (d->seen.events || fast)
     {
@@ -380,22 +374,53 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
 }
 
 /* The lists may be used up: measure, and make new ones if more than half of the displacement is. */
-static int renew_lists(struct dem_device *d, struct dem_state *state, struct progress *p, int *end)
+static int renew_lists(struct dem_device *d, struct dem_state *state,
+                       const struct dem_device_steps *steps, struct progress *p, int *end)
 {
-    const double skin = skin_for(d, d->last_speed, state->dt);
+    struct dem_device_batch next = batch_of(d, state, steps, p);
+    uint32_t one = 1;
 
     DEM_TRY(dem_device_displacement(d, state, &p->moved));
-    if (p->moved <= 0.5*p->limit)
+    if (p->moved <= 0.5*p->rest)
     {
         return DEM_OK;
     }
     *end = !d->makes_lists;
     if (d->makes_lists)
     {
-        DEM_TRY(dem_device_make_lists(d, state, skin, end));
-        DEM_TRY(give_arguments(d));
+        p->skin = skin_for(d, d->last_speed, state->dt);
+        /* to the position of the next step, whose lists these are */
+        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin));
+        for (enum dem_list l = 0; l < DEM_LISTS; l++)
+        {
+            dem_walls_reset_marks(&state->walls, l);
+        }
+        DEM_TRY(dem_device_make_lists(d, state, p->skin, end));
         p->moved = 0.0;
-        p->limit = 0.5*skin;
+        p->rest = 0.5*p->skin;
+    }
+    return DEM_OK;
+}
+
+/* Steps and lists, until all are made or the host has to go on. */
+static int make_steps(struct dem_device *d, struct dem_state *state,
+                      struct dem_device_steps *steps)
+{
+    struct progress p = {.rest = steps->rest(state)};
+    int end = 0;
+
+    while (!end && steps->made < steps->most && !steps->ends(state, steps->made))
+    {
+        const int64_t before = steps->made;
+
+        if (p.moved <= p.rest)
+        {
+            DEM_TRY(advance_batch(d, state, steps, &p, &end));
+        }
+        if (!end && steps->made < steps->most && (p.moved > p.rest || steps->made == before))
+        {
+            DEM_TRY(renew_lists(d, state, steps, &p, &end));
+        }
     }
     return DEM_OK;
 }
@@ -403,8 +428,6 @@ static int renew_lists(struct dem_device *d, struct dem_state *state, struct pro
 int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
 {
     struct dem_device *const d = state->device;
-    struct progress p = {.moved = 0.0, .limit = steps->displacement};
-    int end = 0;
 
     steps->made = 0;
     if (state->steps <= d->host_until)
@@ -415,20 +438,8 @@ int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
     steps->speed = d->speed;
     DEM_TRY(dem_device_put(d, state));
     DEM_TRY(dem_device_refer(d, state));
-    DEM_TRY(give_arguments(d));
-    while (!end && steps->made < steps->most && !steps->ends(state, steps->made))
-    {
-        const int64_t before = steps->made;
-
-        if (p.moved <= p.limit)
-        {
-            DEM_TRY(advance_batch(d, state, steps, &p, &end));
-        }
-        if (!end && steps->made < steps->most && (p.moved > p.limit || steps->made == before))
-        {
-            DEM_TRY(renew_lists(d, state, &p, &end));
-        }
-    }
+    DEM_TRY(make_steps(d, state, steps));
+    dem_device_leave_walls(state, steps);
     if (steps->made == 0)
     {
         /* nothing has changed on the host, and the device has its lists */

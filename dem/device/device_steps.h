@@ -51,7 +51,10 @@ void dem_device_count(const struct dem_device *, struct dem_device_counts *);
 struct dem_device_steps
 {
     int64_t first, most;      /* number of the first step in the window; so many steps, at most */
-    double displacement;      /* m  of a particle up to which the lists are valid */
+    /* m  of a particle, from its position now, up to which the host's lists are valid, with the walls
+       where they are */
+    double (*rest)(const struct dem_state *);
+    double max_displacement;  /* m  of a wall in a step, above which the host makes it */
     double max_speed;         /* m/s  of a particle, above which the host makes the step */
     /* called after each batch of steps; 1: end here */
     int (*ends)(struct dem_state *, int64_t made);

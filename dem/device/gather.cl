@@ -26,7 +26,7 @@ static int dem_used_up(constant struct dem_device_batch *b, global struct dem_de
     {
         report->bound[s] = bound;
     }
-    return !(bound <= b->limit);
+    return !(bound <= b->limit[s]);
 }
 
 static void dem_report_event(global struct dem_device_report *report, uint event, uint s)
@@ -54,7 +54,7 @@ static void dem_row_begin(constant struct dem_device_batch *b, uint s, struct de
 
 static void dem_row_of_pair(global const double4 *restrict record, uint2 partners,
                             global const double4 *restrict shift, int random,
-                            struct dem_contact_row *r)
+                            struct dem_gathered *gathered, struct dem_contact_row *r)
 {
     const uint i = partners.x, j = partners.y & ((1u << 27) - 1);
     const double4 xi = record[4*(size_t)i], xj = record[4*(size_t)j],
@@ -91,21 +91,80 @@ static void dem_row_of_pair(global const double4 *restrict record, uint2 partner
         r->pair_random = dem_random_unit(as_ulong(record[4*(size_t)i + 3].y),
                                          as_ulong(record[4*(size_t)j + 3].y), 0, 0);
     }
+    *gathered = g;
 }
 
-/* curved: some wall of the scene is curved, so the normals of half a step ago are computed. */
-static void dem_row_of_wall(global const double4 *restrict record,
-                            global const struct dem_facet *restrict in_memory, int curved,
-                            struct dem_contact_row *r)
+/* Contact of a particle at x with a facet: distance [m], and point and normal. */
+static double dem_wall_touch(global const struct dem_facet *restrict in_memory,
+                             global const struct dem_device_frame *restrict frames,
+                             const double x[3], double point[3], double normal[3])
 {
-    const struct dem_wall_displacement rest = {.sine = 0.0};
     const struct dem_facet facet = *in_memory;
+    double own[3], own_point[3], own_normal[3];
+
+    if (facet.wall < 0)
+    {
+        return dem_facet_touch(&facet, x, x, point, normal);
+    }
+    const struct dem_pose pose = frames[facet.wall].pose;
+
+    dem_pose_to_frame(&pose, x, own);
+    const double distance = dem_facet_touch(&facet, own, own, own_point, own_normal);
+
+    dem_pose_direction(&pose, own_normal, normal);
+    dem_pose_point(&pose, own_point, point);
+    return distance;
+}
+
+/* What a wall that is curved or moves changes: relative velocities, the normal of half a step ago, the
+   reduced radius. */
+static void dem_row_add_surface(global const struct dem_facet *restrict in_memory,
+                                global const struct dem_device_frame *restrict frames, double4 v,
+                                const double point[3], double distance, struct dem_gathered *g,
+                                struct dem_contact_row *r)
+{
+    const struct dem_facet facet = *in_memory;
+    const double normal[3] = {r->nx, r->ny, r->nz};
+    struct dem_wall_displacement s = {.sine = 0.0};
+    struct dem_pose pose;
+    double half_step[3];
+
+    if (facet.wall >= 0)
+    {
+        double velocity[3];
+
+        s = frames[facet.wall].displacement;
+        pose = frames[facet.wall].pose;
+        dem_wall_displacement_velocity(&s, point, velocity);
+        g->vx[0] -= velocity[0];
+        g->vy[0] -= velocity[1];
+        g->vz[0] -= velocity[2];
+        r->wx -= s.sine_rate*s.axis[0];
+        r->wy -= s.sine_rate*s.axis[1];
+        r->wz -= s.sine_rate*s.axis[2];
+    }
+    const struct dem_facet_step since = {.displacement = &s, .pose = facet.wall >= 0 ? &pose : 0,
+                                         .v = {v.x, v.y, v.z}, .dt = r->dt};
+
+    dem_facet_normal_half_step(&facet, &since, normal, distance, half_step);
+    r->hx = half_step[0];
+    r->hy = half_step[1];
+    r->hz = half_step[2];
+    r->reduced_radius = dem_facet_reduced_radius(&facet, r->min_radius);
+}
+
+/* surface: some wall of the scene is curved or moves. */
+static void dem_row_of_wall(global const double4 *restrict record,
+                            global const struct dem_facet *restrict facet,
+                            global const struct dem_device_frame *restrict frames, int surface,
+                            struct dem_gathered *gathered, struct dem_contact_row *r)
+{
     const double4 x = record[0], v = record[1], w = record[2];
     const double at[3] = {x.x, x.y, x.z};
     double point[3], normal[3];
     struct dem_gathered g;
 
-    const double h = dem_facet_touch(&facet, at, at, point, normal);
+    const double h = dem_wall_touch(facet, frames, at, point, normal);
     const double distance = h < 4.0*x.w ? h : 4.0*x.w;
 
     g.vx[0] = v.x;
@@ -126,20 +185,12 @@ static void dem_row_of_wall(global const double4 *restrict record,
     r->wx = w.x;
     r->wy = w.y;
     r->wz = w.z;
-    if (curved)
+    if (surface)
     {
-        double half_step[3];
-        const struct dem_facet_step since = {.displacement = &rest, .pose = 0,
-                                             .v = {v.x, v.y, v.z}, .dt = r->dt};
-
-        dem_facet_normal_half_step(&facet, &since, normal, h, half_step);
-        r->hx = half_step[0];
-        r->hy = half_step[1];
-        r->hz = half_step[2];
-        r->reduced_radius = dem_facet_reduced_radius(&facet, x.w);
+        dem_row_add_surface(facet, frames, v, point, h, &g, r);
     }
     dem_geometry_motion(&g, 0, 0.5, r);
-    if (curved)
+    if (surface)
     {
         /* the mean spin of the particle and the wall, as the host adds it */
         r->normal_spin += 0.5*((0.5*g.bx[0] - r->wx)*r->nx + (0.5*g.by[0] - r->wy)*r->ny +
@@ -147,24 +198,19 @@ static void dem_row_of_wall(global const double4 *restrict record,
     }
     r->distance = h;
     r->gap = h - r->min_radius;
+    *gathered = g;
 }
 
 /* A gap lengthens the lever arms; the distance changes along the normal of half a step ago. */
-static void dem_row_add_gap(global const double4 *restrict record, uint2 partners, double gap,
-                            int with_wall, struct dem_contact_row *r)
+static void dem_row_add_gap(const struct dem_gathered *g, struct dem_contact_row *r)
 {
-    const uint i = partners.x, j = partners.y & ((1u << 27) - 1);
-    const double4 vi = record[4*(size_t)i + 1], wi = record[4*(size_t)i + 2],
-                  vj = with_wall ? (double4)(0.0) : record[4*(size_t)j + 1],
-                  wj = with_wall ? wi : record[4*(size_t)j + 2];
-    const double bx = 0.5*(with_wall ? 2.0*wi.x : wi.x + wj.x),
-                 by = 0.5*(with_wall ? 2.0*wi.y : wi.y + wj.y),
-                 bz = 0.5*(with_wall ? 2.0*wi.z : wi.z + wj.z);
+    const double gap = r->gap > 0.0 ? r->gap : 0.0;
+    const double bx = 0.5*g->bx[0], by = 0.5*g->by[0], bz = 0.5*g->bz[0];
 
     r->sx -= gap*(by*r->hz - bz*r->hy);
     r->sy -= gap*(bz*r->hx - bx*r->hz);
     r->sz -= gap*(bx*r->hy - by*r->hx);
-    r->distance_rate = (vi.x - vj.x)*r->hx + (vi.y - vj.y)*r->hy + (vi.z - vj.z)*r->hz;
+    r->distance_rate = g->vx[0]*r->hx + g->vy[0]*r->hy + g->vz[0]*r->hz;
 }
 
 /* ---- what ends a run --------------------------------------------------------------------------- */

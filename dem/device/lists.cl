@@ -213,6 +213,7 @@ static uint dem_find_partners(constant struct dem_device_lists *l,
 static uint dem_find_facets(constant struct dem_device_lists *l,
                             global const double4 *restrict record,
                             global const struct dem_facet *restrict facets,
+                            global const struct dem_device_frame *restrict frames,
                             global const int *wall_classes, uint i, global uint *rows,
                             global uint *list)
 {
@@ -223,10 +224,9 @@ static uint dem_find_facets(constant struct dem_device_lists *l,
 
     for (uint f = 0; f < l->facets && !dem_frozen(bits); f++)
     {
-        const struct dem_facet facet = facets[f];
-        double normal[3];
+        double point[3], normal[3];
 
-        if (dem_facet_height(&facet, at, normal) < x.w + l->gap)
+        if (dem_wall_touch(facets + f, frames, at, point, normal) < x.w + l->gap)
         {
             if (list)
             {
@@ -245,7 +245,8 @@ static uint dem_find_facets(constant struct dem_device_lists *l,
 kernel void lists_count(constant struct dem_device_lists *l, global const double4 *restrict record,
                         global const uint *restrict first, global const uint *restrict order,
                         global const int *classes, global const int *wall_classes,
-                        global const struct dem_facet *restrict facets, global uint *entries,
+                        global const struct dem_facet *restrict facets,
+                        global const struct dem_device_frame *restrict frames, global uint *entries,
                         global uint *rows)
 {
     const uint i = get_global_id(0);
@@ -253,7 +254,7 @@ kernel void lists_count(constant struct dem_device_lists *l, global const double
     if (i < l->particles)
     {
         entries[i] = dem_find_partners(l, record, first, order, classes, i, rows, 0) +
-                     dem_find_facets(l, record, facets, wall_classes, i, rows, 0);
+                     dem_find_facets(l, record, facets, frames, wall_classes, i, rows, 0);
     }
 }
 
@@ -261,6 +262,7 @@ kernel void lists_find(constant struct dem_device_lists *l, global const double4
                        global const uint *restrict first, global const uint *restrict order,
                        global const int *classes, global const int *wall_classes,
                        global const struct dem_facet *restrict facets,
+                       global const struct dem_device_frame *restrict frames,
                        global const uint *restrict start, global uint *list)
 {
     const uint i = get_global_id(0);
@@ -270,7 +272,7 @@ kernel void lists_find(constant struct dem_device_lists *l, global const double4
         global uint *const own = list + start[i];
         const uint n = dem_find_partners(l, record, first, order, classes, i, 0, own);
 
-        dem_find_facets(l, record, facets, wall_classes, i, 0, own + n);
+        dem_find_facets(l, record, facets, frames, wall_classes, i, 0, own + n);
     }
 }
 

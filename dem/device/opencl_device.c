@@ -312,14 +312,18 @@ int dem_opencl_copy(struct dem_opencl *cl, const struct dem_opencl_memory *from,
 
 /* ---- work ------------------------------------------------------------------------------------ */
 
-int dem_opencl_give(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument,
-                    const struct dem_opencl_memory *m)
+int dem_opencl_give(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument, int n,
+                    const struct dem_opencl_memory *const *m)
 {
-    cl_mem buffer = m ? m->buffer : NULL;
+    for (int a = 0; a < n; a++)
+    {
+        cl_mem buffer = m[a]->buffer;
 
-    return dem_opencl_status(cl, cl->calls->clSetKernelArg(k->kernel, (cl_uint)argument,
-                                                           sizeof buffer, &buffer),
-                             "set an argument");
+        DEM_TRY(dem_opencl_status(cl, cl->calls->clSetKernelArg(k->kernel, (cl_uint)(argument + a),
+                                                                sizeof buffer, &buffer),
+                                  "set an argument"));
+    }
+    return DEM_OK;
 }
 
 int dem_opencl_give_number(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument,
@@ -406,10 +410,10 @@ size_t dem_opencl_bytes(const struct dem_opencl *cl)
     return 0;
 }
 
-int dem_opencl_give(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument,
-                    const struct dem_opencl_memory *m)
+int dem_opencl_give(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument, int n,
+                    const struct dem_opencl_memory *const *m)
 {
-    (void)cl, (void)k, (void)argument, (void)m;
+    (void)cl, (void)k, (void)argument, (void)n, (void)m;
     return refuse();
 }
 

@@ -59,9 +59,14 @@ int dem_opencl_reserve(struct dem_opencl *, struct dem_opencl_memory *, size_t b
 void dem_opencl_release(struct dem_opencl *, struct dem_opencl_memory *);
 size_t dem_opencl_bytes(const struct dem_opencl *);    /* of all memory reserved */
 
-/* Arguments of a kernel: memory (also NULL), an integer. Then make `items` work items of it. */
-int dem_opencl_give(struct dem_opencl *, struct dem_opencl_kernel *, int argument,
-                    const struct dem_opencl_memory *);
+/* Arguments of a kernel: n memories, from this one on; an integer. Then make `items` work items of it. */
+int dem_opencl_give(struct dem_opencl *, struct dem_opencl_kernel *, int argument, int n,
+                    const struct dem_opencl_memory *const *);
+#define DEM_OPENCL_GIVE(cl, kernel, argument, ...)                                             \
+    dem_opencl_give(cl, kernel, argument,                                                      \
+                    (int)(sizeof(const struct dem_opencl_memory *[]){__VA_ARGS__}/             \
+                          sizeof(struct dem_opencl_memory *)),                                 \
+                    (const struct dem_opencl_memory *const[]){__VA_ARGS__})
 int dem_opencl_give_number(struct dem_opencl *, struct dem_opencl_kernel *, int argument,
                            uint32_t number);
 int dem_opencl_launch(struct dem_opencl *, struct dem_opencl_kernel *, size_t items);

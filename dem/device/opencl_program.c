@@ -76,7 +76,15 @@ void dem_opencl_make_note(uint64_t key, const char *kind)
 
 #ifdef DEM_OPENCL
 
-static const char options[] = "-cl-std=CL1.2";
+/* SUNA_OPENCL_OPTIONS adds further ones, where a driver needs them. */
+static const char *options(void)
+{
+    static char all[1000];
+    const char *const more = getenv("SUNA_OPENCL_OPTIONS");
+
+    snprintf(all, sizeof all, "-cl-std=CL1.2 %s", more ? more : "");
+    return all;
+}
 
 static uint64_t key_of(const struct dem_opencl *cl, const char *text)
 {
@@ -84,30 +92,34 @@ static uint64_t key_of(const struct dem_opencl *cl, const char *text)
 
     dem_hash_start(&h, 'd');
     dem_hash_bytes(&h, text, strlen(text));
-    dem_hash_bytes(&h, options, sizeof options);
+    dem_hash_bytes(&h, options(), strlen(options()));
     dem_hash_bytes(&h, cl->info.name, sizeof cl->info.name);
     dem_hash_bytes(&h, cl->info.platform, sizeof cl->info.platform);
     dem_hash_bytes(&h, cl->info.driver, sizeof cl->info.driver);
     return dem_hash_value(&h);
 }
 
-/* Keep the program for the next run. */
+/* Keep the program for the next run, behind its hash: drivers do not survive a damaged one. */
 static void keep(const struct dem_opencl *cl, uint64_t key)
 {
     size_t size = 0;
-    unsigned char *binary;
+    unsigned char *file, *binary;
 
     if (cl->calls->clGetProgramInfo(cl->program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, NULL) ||
-        size == 0 || DEM_NEW(binary, size))
+        size == 0 || DEM_NEW(file, size + sizeof key))
     {
         return;
     }
+    binary = file + sizeof key;
     if (cl->calls->clGetProgramInfo(cl->program, CL_PROGRAM_BINARIES, sizeof binary, &binary, NULL) ==
         CL_SUCCESS)
     {
-        store(key, "program", binary, size);
+        const uint64_t hash = dem_hash_record(binary, size, key);
+
+        memcpy(file, &hash, sizeof hash);
+        store(key, "program", file, size + sizeof hash);
     }
-    dem_memory_free(binary);
+    dem_memory_free(file);
 }
 
 static void drop(struct dem_opencl *cl)
@@ -119,28 +131,44 @@ static void drop(struct dem_opencl *cl)
     }
 }
 
-/* 1 when the cache has it. What is damaged there is built anew. */
+/* The program of a file of the cache; 0 when it is damaged. */
+static int is_sound(const char *file, size_t n, uint64_t key)
+{
+    uint64_t hash;
+
+    if (n <= sizeof hash)
+    {
+        return 0;
+    }
+    memcpy(&hash, file, sizeof hash);
+    return hash == dem_hash_record(file + sizeof hash, n - sizeof hash, key);
+}
+
+/* 1 when the cache has it. */
 static int take(struct dem_opencl *cl, uint64_t key)
 {
-    char path[PATH], *bytes = NULL;
+    char path[PATH], *file = NULL;
     size_t n = 0;
     cl_int error = CL_INVALID_BINARY, of_device = CL_SUCCESS;
 
     if (!cache_path(key, "program", path) || !dem_file_exists(path) ||
-        dem_file_load(path, &bytes, &n) != DEM_OK)
+        dem_file_load(path, &file, &n) != DEM_OK)
     {
         return 0;
     }
-    if (n > 0)
+    if (is_sound(file, n, key))
     {
-        cl->program = cl->calls->clCreateProgramWithBinary(
-            cl->context, 1, &cl->device, &n, (const unsigned char *[]){(unsigned char *)bytes},
-            &of_device, &error);
+        const unsigned char *const binary = (const unsigned char *)file + sizeof key;
+        const size_t size = n - sizeof key;
+
+        cl->program = cl->calls->clCreateProgramWithBinary(cl->context, 1, &cl->device, &size,
+                                                           (const unsigned char *[]){binary},
+                                                           &of_device, &error);
+        error = error || of_device
+                    ? CL_INVALID_BINARY
+                    : cl->calls->clBuildProgram(cl->program, 1, &cl->device, options(), NULL, NULL);
     }
-    error = error || of_device
-                ? CL_INVALID_BINARY
-                : cl->calls->clBuildProgram(cl->program, 1, &cl->device, options, NULL, NULL);
-    dem_memory_free(bytes);
+    dem_memory_free(file);
     if (error)
     {
         drop(cl);
@@ -155,7 +183,7 @@ static int compile(struct dem_opencl *cl, const char *text)
 
     cl->program = cl->calls->clCreateProgramWithSource(cl->context, 1, &text, NULL, &error);
     DEM_TRY(dem_opencl_status(cl, error, "take a program"));
-    error = cl->calls->clBuildProgram(cl->program, 1, &cl->device, options, NULL, NULL);
+    error = cl->calls->clBuildProgram(cl->program, 1, &cl->device, options(), NULL, NULL);
     if (error == CL_SUCCESS)
     {
         return DEM_OK;

@@ -300,7 +300,7 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
 }
 
 static int add_class(struct composer *c, const struct dem_interaction_table *table, int class,
-                     int curved)
+                     int surface)
 {
     const struct dem_effect_list *const list = &table->list[class];
     struct columns h;
@@ -320,9 +320,9 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
                  "#define PAST_TOUCHING %d\n", h.n, class, class, list->past_touching);
     DEM_TRY(include_name(c, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
-                 "#define ENERGY %d\n#define RANDOM %d\n#define CURVED %d\n", class,
+                 "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
-                 (list->needs & DEM_NEEDS_RANDOM) != 0, curved);
+                 (list->needs & DEM_NEEDS_RANDOM) != 0, surface);
     return include_name(c, "device/rows.cl");
 }
 
@@ -355,7 +355,7 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     return include_name(c, "device/bodies.cl");
 }
 
-static int compose(struct composer *c, const struct dem_interaction_table *table, int curved)
+static int compose(struct composer *c, const struct dem_interaction_table *table, int surface)
 {
     DEM_TRY(include_name(c, "device/gather.cl"));
     for (int k = 0; k < table->classes; k++)
@@ -365,16 +365,16 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(include_laws(c, &table->bodies));
     for (int k = 0; k < table->classes; k++)
     {
-        DEM_TRY(add_class(c, table, k, curved));
+        DEM_TRY(add_class(c, table, k, surface));
     }
     DEM_TRY(add_bodies(c, table));
     return include_name(c, "device/lists.cl");
 }
 
-int dem_device_program(const struct dem_interaction_table *table, int curved, struct dem_text *text)
+int dem_device_program(const struct dem_interaction_table *table, int surface, struct dem_text *text)
 {
     struct composer c = {.out = text};
-    const int status = compose(&c, table, curved);
+    const int status = compose(&c, table, surface);
 
     return status ? status : text->status;
 }

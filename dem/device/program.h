@@ -13,8 +13,8 @@
 #include "core/text.h"
 #include "laws/interaction_table.h"
 
-/* `curved`: 1 when a wall is not flat. The caller frees the text. */
-int dem_device_program(const struct dem_interaction_table *, int curved, struct dem_text *);
+/* `surface`: 1 when a wall is curved or moves. The caller frees the text. */
+int dem_device_program(const struct dem_interaction_table *, int surface, struct dem_text *);
 
 /* Why an effect cannot be in a program, as the end of a sentence, or NULL. */
 const char *dem_device_effect_refusal(const struct dem_effect *);

@@ -5,7 +5,8 @@
  *   KERNEL, LAWS     name of the kernel; of the function that applies the laws to a row
  *   COLUMNS          history columns of the laws, whose places are in COLUMN_OF
  *   WITH_WALL, PAST_TOUCHING, RANDOM    1 or 0, as the host's effect list
- *   MOMENTS, ENERGY, CURVED    1 or 0, of all classes: there are moments, energies, curved walls
+ *   MOMENTS, ENERGY, SURFACE    1 or 0, of all classes: there are moments; energies; walls that are
+ *                               curved or move
  *
  * The arithmetic is the host's (step/fill_batch.c, step/store_forces.c): the same operations in the
  * same order. A row that does not touch leaves no force; touch[row] says so to the sums, and that the
@@ -19,10 +20,12 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
             global const uint2 *restrict partners, global const double4 *restrict shift,
             global const struct dem_facet *restrict facets, global uchar *restrict touch,
             global double *restrict history, global double4 *restrict force,
-            global double4 *restrict moment, global double4 *restrict energy)
+            global double4 *restrict moment, global double4 *restrict energy,
+            global const struct dem_device_frame *restrict frames)
 {
     const uint k = get_global_id(0), row = first + k;
     double h[COLUMNS + 1];
+    struct dem_gathered g;
     struct dem_contact_row r;
 
     if (dem_used_up(b, report, s) || k >= count)
@@ -33,15 +36,13 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 
     dem_row_begin(b, s, &r);
 #if WITH_WALL
-    dem_row_of_wall(record + 4*(size_t)partners[row].x, facets + partners[row].y, CURVED, &r);
+    dem_row_of_wall(record + 4*(size_t)partners[row].x, facets + partners[row].y,
+                    frames + s*b->frames, SURFACE, &g, &r);
 #else
-    dem_row_of_pair(record, partners[row], shift, RANDOM, &r);
+    dem_row_of_pair(record, partners[row], shift, RANDOM, &g, &r);
 #endif
 #if PAST_TOUCHING
-    /* the lever arms of the motion include the gap */
-    const double gap = r.gap > 0.0 ? r.gap : 0.0;
-
-    dem_row_add_gap(record, partners[row], gap, WITH_WALL, &r);
+    dem_row_add_gap(&g, &r);
 #else
     if (r.touching == 0.0)
     {
@@ -88,4 +89,4 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #undef MOMENTS
 #undef ENERGY
 #undef RANDOM
-#undef CURVED
+#undef SURFACE

@@ -235,10 +235,7 @@ static int run(struct dem_opencl *cl, struct test *t, int class, struct dem_open
     DEM_TRY(dem_opencl_write(cl, &memory[1], 0, sizeof t->times, t->times));
     DEM_TRY(dem_opencl_give_number(cl, kernel, 0, ROWS));
     DEM_TRY(dem_opencl_give_number(cl, kernel, 1, (uint32_t)t->numbers));
-    for (int k = 0; k < 3; k++)
-    {
-        DEM_TRY(dem_opencl_give(cl, kernel, 2 + k, &memory[k]));
-    }
+    DEM_TRY(DEM_OPENCL_GIVE(cl, kernel, 2, &memory[0], &memory[1], &memory[2]));
     DEM_TRY(dem_opencl_launch(cl, kernel, ROWS));
     return dem_opencl_read(cl, &memory[2], 0, bytes, t->there);
 }

@@ -6,7 +6,7 @@
 #ifndef DEM_DEVICE_SHARED_H
 #define DEM_DEVICE_SHARED_H
 
-#include "core/device.h"
+#include "walls/pose.h"
 
 enum
 {
@@ -22,6 +22,13 @@ enum dem_device_event           /* what the host has to handle; it repeats the s
     DEM_DEVICE_CROSSED = 4,     /* a wall with two sides */
     DEM_DEVICE_BROKE = 8,       /* a bond */
     DEM_DEVICE_CORNER = 16      /* two facets share a contact or its springs */
+};
+
+/* a moving wall in a step. The member `wall` of a facet on the device is its frame, -1: at rest. */
+struct dem_device_frame
+{
+    struct dem_pose pose;
+    struct dem_wall_displacement displacement;
 };
 
 /* rounding of the drift along each axis, and axes without motion (dem_domain) */
@@ -62,9 +69,11 @@ struct dem_device_batch
     int64_t first;                          /*    k of the first step of the batch */
     double max_overlap;                     /* 1  an overlap over the smaller radius ends the run */
     float overlap;                          /* 1  of the report, so far */
-    float start, limit;                     /* m  bound of the displacement now; of valid lists */
+    float start;                            /* m  bound of the displacement now */
+    float limit[DEM_DEVICE_BATCH];          /* m  up to which the lists are valid; never increases */
     uint32_t particles, stride;             /*    stride: rows of a history column */
     uint32_t walls;                         /*    the first row of a wall */
+    uint32_t frames;                        /*    of moving walls, for each step */
 };
 
 #endif

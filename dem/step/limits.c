@@ -141,6 +141,11 @@ static double min_radius_of(const struct dem_state *state)
     return min_radius;
 }
 
+double dem_limits_max_wall_displacement(const struct dem_state *state)
+{
+    return min_radius_of(state);
+}
+
 double dem_limits_max_speed(const struct dem_state *state)
 {
     const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
