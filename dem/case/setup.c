@@ -252,7 +252,11 @@ static void begin_device(struct dem *d)
     {
         return;
     }
-    dem_device_refusal(&d->state, why, sizeof why);
+    snprintf(why, sizeof why, "the run is coupled with a fluid");
+    if (!d->coupled)
+    {
+        dem_device_refusal(&d->state, why, sizeof why);
+    }
     if (why[0])
     {
         snprintf(d->device, sizeof d->device, "the CPU makes all steps, not device %s: %s",

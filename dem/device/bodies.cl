@@ -1,7 +1,7 @@
 /*
  * bodies.cl -- the kernel that ends a step: each particle sums its contact rows in the order of
  * partner ids, adds body forces (BODIES, a function that the host composes), is kicked, and drifts
- * into the next step. MOMENTS, PAST_TOUCHING: as of the interaction table.
+ * into the next step. MOMENTS, PAST_TOUCHING: as of the interaction table; FLUID: there is one.
  *
  * The arithmetic is the host's (step/sum_contacts.c, step/sweep_bodies.c, step/drift.h).
  *
@@ -37,7 +37,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
             global const double4 *restrict energy, global const uint *restrict start,
             global const uint *restrict entry, global double *restrict lost,
             constant struct dem_device_axes *axes,
-            global const struct dem_device_frame *restrict frames)
+            global const struct dem_device_frame *restrict frames,
+            global double *restrict columns)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -117,16 +118,41 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         r.fx = f[0];
         r.fy = f[1];
         r.fz = f[2];
+        r.vx = v.x;
+        r.vy = v.y;
+        r.vz = v.z;
+        r.wx = w.x;
+        r.wy = w.y;
+        r.wz = w.z;
+
+        const double h = b->dt;
+
+#if FLUID
+        const uint n = b->particles;
+
+        dem_fluid_begin(columns, n, i, b->over_window, &r);
+        BODIES(&r);
+        dem_fluid_kick(columns, n, i, h, &r, &v);
+#else
         BODIES(&r);
 
-        const double h = b->dt, step = h*v.w, turn = h*w.w;
+        const double step = h*v.w;
 
         v.x += step*r.fx;
         v.y += step*r.fy;
         v.z += step*r.fz;
+#endif
+#ifdef COLUMN_ANGULAR_IMPULSE
+        w.x = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 0), h, w.w, r.spin_drag, r.spin_drag_wx, t[0], w.x);
+        w.y = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 1), h, w.w, r.spin_drag, r.spin_drag_wy, t[1], w.y);
+        w.z = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 2), h, w.w, r.spin_drag, r.spin_drag_wz, t[2], w.z);
+#else
+        const double turn = h*w.w;
+
         w.x += turn*t[0];
         w.y += turn*t[1];
         w.z += turn*t[2];
+#endif
         v.x = axes->flat[0] ? 0.0 : v.x;
         v.y = axes->flat[1] ? 0.0 : v.y;
         v.z = axes->flat[2] ? 0.0 : v.z;

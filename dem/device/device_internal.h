@@ -43,7 +43,7 @@ struct dem_device
     /* constants, a batch of steps and its report */
     struct dem_opencl_memory axes, shift, facets, frames, pair_class, wall_class, batch, report;
     /* of particles, and a copy from before the batch */
-    struct dem_opencl_memory record, lost, before_record, before_lost;
+    struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
     /* of rows: the present lists and those before; results of a step; a copy */
     struct dem_device_rows list[2];
     int at;

@@ -9,6 +9,7 @@
  */
 #include "core/error.h"
 #include "core/memory.h"
+#include "device/device_columns.h"
 #include "device/device_internal.h"
 #include <string.h>
 
@@ -115,7 +116,8 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
 int dem_device_put(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_contact_history *const h = &state->contacts.history;
-    const size_t n = state->particles.n, records = n*sizeof *state->particles.record;
+    const size_t n = state->particles.n, records = n*sizeof *state->particles.record,
+                 columns = n*dem_device_columns_width(&state->particles)*sizeof(double);
     const double *const lost = dem_column(&state->particles, DEM_COLUMN_LOST_ENERGY);
 
     DEM_TRY(put_lists(d, state));
@@ -126,6 +128,9 @@ int dem_device_put(struct dem_device *d, const struct dem_state *state)
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_record, records));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_lost, n*sizeof *lost));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->columns, columns));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->before_columns, columns));
+    DEM_TRY(dem_device_put_columns(d->cl, &d->columns, &state->particles));
     DEM_TRY(dem_opencl_write(d->cl, &d->record, 0, records, state->particles.record));
     for (int m = 0; m < h->columns; m++)
     {
@@ -238,6 +243,7 @@ int dem_device_get(struct dem_device *d, struct dem_state *state)
 
     DEM_TRY(dem_opencl_read(d->cl, &d->record, 0, n*sizeof *state->particles.record,
                             state->particles.record));
+    DEM_TRY(dem_device_get_columns(d->cl, &d->columns, &state->particles));
     DEM_TRY(h->columns > 0 ? clear_apart(d, h->columns) : DEM_OK);
     DEM_TRY(d->own ? get_saved(d, state) : get_rows(d, h));
     return lost ? dem_opencl_read(d->cl, &d->lost, 0, n*sizeof *lost, lost) : DEM_OK;

@@ -11,6 +11,7 @@
 #include "device/device_steps.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "device/device_columns.h"
 #include "device/device_internal.h"
 #include "device/program.h"
 #include "device/self_test.h"
@@ -58,7 +59,8 @@ static int build(struct dem_device *d, const struct dem_state *state)
 {
     struct dem_text text = {.text = NULL};
     uint64_t key = 0;
-    int status = dem_device_program(&state->interaction_table, has_surface(state), &text);
+    int status = dem_device_program(&state->interaction_table, &state->particles, has_surface(state),
+                                    &text);
 
     status = status ? status : dem_opencl_build(d->cl, text.text, &key);
     dem_text_free(&text);
@@ -154,7 +156,8 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->pair_class, &d->wall_class, &d->batch, &d->report,
-        &d->record, &d->lost, &d->before_record, &d->before_lost, &d->force, &d->moment,
+        &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
+        &d->before_columns, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
         &d->place, &d->first, &d->order, &d->row_first, &d->sums, &d->partner, &d->image,
         &d->totals, &d->largest, &a->partners, &a->start, &a->entry, &a->touch, &a->history,
@@ -220,12 +223,12 @@ static int give_arguments(struct dem_device *d)
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
                                 &d->facets, &list->touch, &list->history, &d->force, &d->moment,
-                                &d->energy, &d->frames));
+                                &d->energy, &d->frames, &d->columns));
     }
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,
                            &d->force, &d->moment, &d->energy, &list->start, &list->entry, &d->lost,
-                           &d->axes, &d->frames);
+                           &d->axes, &d->frames, &d->columns);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
@@ -253,6 +256,8 @@ static int copy_state(struct dem_device *d, const struct dem_state *state, int b
         size_t bytes;
     } part[] = {{&d->record, &d->before_record, n*sizeof *state->particles.record},
                 {&d->lost, &d->before_lost, n*sizeof(double)},
+                {&d->columns, &d->before_columns,
+                 n*dem_device_columns_width(&state->particles)*sizeof(double)},
                 {&list->touch, &d->before_touch, rows},
                 {&list->history, &d->before_history,
                  rows*(size_t)state->interaction_table.history_columns*sizeof(double)}};
@@ -281,6 +286,7 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .inverse_dt = 1.0/state->dt,
         .max_dt = state->max_dt,
         .window_start = state->window.start,
+        .over_window = state->window.length > 0.0 ? 1.0/state->window.length : 0.0,
         .first = steps->first + steps->made,
         /* a margin for rounding: the host decides */
         .max_overlap = state->limits.limit*(1.0 - 0x1p-20),

@@ -10,6 +10,7 @@
 #include "device/program.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "device/device_columns.h"
 #include "device/texts.h"
 #include "laws/effects.h"
 #include <stdint.h>
@@ -26,6 +27,7 @@ struct composer
     struct dem_text *out;
     const struct dem_device_text *included[TEXTS];
     int n;
+    int viscosity;                /* 1: particles have the viscosity of the fluid around them */
 };
 
 /* ---- texts ------------------------------------------------------------------------------------- */
@@ -155,8 +157,7 @@ const char *dem_device_effect_refusal(const struct dem_effect *e)
 {
     return !law_text(e) || e->eddies ? "has no text for devices"
            : e->scalars              ? "exchanges a particle scalar"
-           : e->stage == DEM_STAGE_FLUID ? "is a force of the fluid"
-                                         : NULL;
+                                     : NULL;
 }
 
 /* The settings of an effect: settings_<class>_<k>, a constant of the program. */
@@ -320,9 +321,11 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
                  "#define PAST_TOUCHING %d\n", h.n, class, class, list->past_touching);
     DEM_TRY(include_name(c, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
-                 "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n", class,
+                 "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
+                 "#define VISCOSITY %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
-                 (list->needs & DEM_NEEDS_RANDOM) != 0, surface);
+                 (list->needs & DEM_NEEDS_RANDOM) != 0, surface,
+                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY);
     return include_name(c, "device/rows.cl");
 }
 
@@ -355,8 +358,12 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     return include_name(c, "device/bodies.cl");
 }
 
-static int compose(struct composer *c, const struct dem_interaction_table *table, int surface)
+static int compose(struct composer *c, const struct dem_interaction_table *table,
+                   const struct dem_particles *particles, int surface)
 {
+    dem_text_add(c->out, "#define FLUID %d\n#define WHOLE_DRAG %d\n",
+                 dem_device_columns_text(particles, c->out), table->bodies.whole_drag);
+    c->viscosity = particles->batch.n > 0;
     DEM_TRY(include_name(c, "device/gather.cl"));
     for (int k = 0; k < table->classes; k++)
     {
@@ -367,14 +374,17 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     {
         DEM_TRY(add_class(c, table, k, surface));
     }
+    DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? include_name(c, "device/fluid.cl")
+                                                             : DEM_OK);
     DEM_TRY(add_bodies(c, table));
     return include_name(c, "device/lists.cl");
 }
 
-int dem_device_program(const struct dem_interaction_table *table, int surface, struct dem_text *text)
+int dem_device_program(const struct dem_interaction_table *table,
+                       const struct dem_particles *particles, int surface, struct dem_text *text)
 {
     struct composer c = {.out = text};
-    const int status = compose(&c, table, surface);
+    const int status = compose(&c, table, particles, surface);
 
     return status ? status : text->status;
 }

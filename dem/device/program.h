@@ -12,9 +12,12 @@
 
 #include "core/text.h"
 #include "laws/interaction_table.h"
+#include "particles/particles.h"
 
-/* `surface`: 1 when a wall is curved or moves. The caller frees the text. */
-int dem_device_program(const struct dem_interaction_table *, int surface, struct dem_text *);
+/* The particles give the columns of a fluid. `surface`: 1 when a wall is curved or moves. The caller
+   frees the text. */
+int dem_device_program(const struct dem_interaction_table *, const struct dem_particles *, int surface,
+                       struct dem_text *);
 
 /* Why an effect cannot be in a program, as the end of a sentence, or NULL. */
 const char *dem_device_effect_refusal(const struct dem_effect *);

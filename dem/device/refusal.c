@@ -64,7 +64,8 @@ static const char *run_reason(const struct dem_state *state)
 {
     const struct dem_particles *const p = &state->particles;
 
-    return dem_column(p, DEM_COLUMN_FLUID_VELOCITY) || p->batch.n > 0 ? "there is a fluid"
+    return dem_column(p, DEM_COLUMN_OWN_WAKE) || dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1
+               ? "the fluid around particles has wakes or eddies"
            : state->interaction_table.parcels.used ? "particles are parcels"
            : state->interaction_table.listed > 0   ? "particles have scalars"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"

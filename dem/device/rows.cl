@@ -4,7 +4,7 @@
  *
  *   KERNEL, LAWS     name of the kernel; of the function that applies the laws to a row
  *   COLUMNS          history columns of the laws, whose places are in COLUMN_OF
- *   WITH_WALL, PAST_TOUCHING, RANDOM    1 or 0, as the host's effect list
+ *   WITH_WALL, PAST_TOUCHING, RANDOM, VISCOSITY    1 or 0, as the host's effect list
  *   MOMENTS, ENERGY, SURFACE    1 or 0, of all classes: there are moments; energies; walls that are
  *                               curved or move
  *
@@ -21,7 +21,8 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
             global const struct dem_facet *restrict facets, global uchar *restrict touch,
             global double *restrict history, global double4 *restrict force,
             global double4 *restrict moment, global double4 *restrict energy,
-            global const struct dem_device_frame *restrict frames)
+            global const struct dem_device_frame *restrict frames,
+            global const double *restrict columns)
 {
     const uint k = get_global_id(0), row = first + k;
     double h[COLUMNS + 1];
@@ -40,6 +41,12 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
                     frames + s*b->frames, SURFACE, &g, &r);
 #else
     dem_row_of_pair(record, partners[row], shift, RANDOM, &g, &r);
+#endif
+#if VISCOSITY
+    global const double *const viscosity = columns + (size_t)COLUMN_VISCOSITY*b->particles;
+    const double of_i = viscosity[partners[row].x];
+
+    r.viscosity = WITH_WALL ? of_i : 0.5*(of_i + viscosity[partners[row].y & ((1u << 27) - 1)]);
 #endif
 #if PAST_TOUCHING
     dem_row_add_gap(&g, &r);
@@ -90,3 +97,4 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #undef ENERGY
 #undef RANDOM
 #undef SURFACE
+#undef VISCOSITY

@@ -66,6 +66,7 @@ struct dem_device_batch
 {
     double dt, inverse_dt, max_dt;          /* s, 1/s, s */
     double window_start;                    /* s  step k of the window ends at start + k dt */
+    double over_window;                     /* 1/s  of the window's length; 0 without */
     int64_t first;                          /*    k of the first step of the batch */
     double max_overlap;                     /* 1  an overlap over the smaller radius ends the run */
     float overlap;                          /* 1  of the report, so far */
