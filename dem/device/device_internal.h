@@ -41,7 +41,7 @@ struct dem_device
     struct dem_opencl_kernel *of_lists[DEM_LISTS_KERNELS];
 
     /* constants, a batch of steps and its report */
-    struct dem_opencl_memory axes, shift, facets, frames, pair_class, wall_class, batch, report;
+    struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class, batch, report;
     /* of particles, and a copy from before the batch */
     struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
     /* of rows: the present lists and those before; results of a step; a copy */

@@ -49,7 +49,19 @@ static int put_classes(struct dem_device *d, const struct dem_state *state)
     return dem_opencl_write(d->cl, &d->wall_class, 0, walls*sizeof *d->word, d->word + pairs);
 }
 
-/* A facet names the frame of its wall. */
+static int put_drives(struct dem_device *d, const struct dem_walls *w)
+{
+    const size_t size = sizeof(struct dem_wall_drive);
+
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->drives, (size_t)w->walls*size));
+    for (int k = 0; k < w->walls; k++)
+    {
+        DEM_TRY(dem_opencl_write(d->cl, &d->drives, (size_t)k*size, size, &w->wall[k].drive));
+    }
+    return DEM_OK;
+}
+
+/* A facet names the frame and the drive of its wall. */
 static int put_facets(struct dem_device *d, const struct dem_walls *w)
 {
     const size_t bytes = (size_t)w->facets*sizeof *w->facet;
@@ -59,7 +71,10 @@ static int put_facets(struct dem_device *d, const struct dem_walls *w)
     memcpy(facet, w->facet, bytes);
     for (int k = 0; k < w->facets; k++)
     {
-        facet[k].wall = w->wall[w->facet[k].wall].frame;
+        const int wall = w->facet[k].wall;
+
+        facet[k].wall = w->wall[wall].frame;
+        facet[k].number = w->wall[wall].driven ? wall : -1;
     }
     int status = dem_opencl_reserve(d->cl, &d->facets, bytes);
 
@@ -80,6 +95,7 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !state->domain.remove &&
                      state->flows->n == 0;
     DEM_TRY(put_facets(d, &state->walls));
+    DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));

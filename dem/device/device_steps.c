@@ -155,7 +155,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
 {
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
-        &d->axes, &d->shift, &d->facets, &d->frames, &d->pair_class, &d->wall_class, &d->batch, &d->report,
+        &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class, &d->batch, &d->report,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
         &d->before_columns, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
@@ -223,7 +223,7 @@ static int give_arguments(struct dem_device *d)
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
                                 &d->facets, &list->touch, &list->history, &d->force, &d->moment,
-                                &d->energy, &d->frames, &d->columns));
+                                &d->energy, &d->frames, &d->columns, &d->drives));
     }
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,

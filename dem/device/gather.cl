@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "device/shared.h"
 #include "walls/facet_surface.h"
+#include "walls/wall_drive.h"
 
 /* 1 when the lists may miss a contact in step s of the batch, or an event has ended the batch: the
    step is left out. All work items of all kernels of a step get the same answer. The bound grows with
@@ -116,10 +117,11 @@ static double dem_wall_touch(global const struct dem_facet *restrict in_memory,
     return distance;
 }
 
-/* What a wall that is curved or moves changes: relative velocities, the normal of half a step ago, the
+/* What a wall that is curved, moves or conveys changes: relative velocities, the normal of half a step ago, the
    reduced radius. */
 static void dem_row_add_surface(global const struct dem_facet *restrict in_memory,
-                                global const struct dem_device_frame *restrict frames, double4 v,
+                                global const struct dem_device_frame *restrict frames,
+                                global const struct dem_wall_drive *restrict drives, double4 v,
                                 const double point[3], double distance, struct dem_gathered *g,
                                 struct dem_contact_row *r)
 {
@@ -129,20 +131,30 @@ static void dem_row_add_surface(global const struct dem_facet *restrict in_memor
     struct dem_pose pose;
     double half_step[3];
 
+    double velocity[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};
+
     if (facet.wall >= 0)
     {
-        double velocity[3];
-
         s = frames[facet.wall].displacement;
         pose = frames[facet.wall].pose;
         dem_wall_displacement_velocity(&s, point, velocity);
-        g->vx[0] -= velocity[0];
-        g->vy[0] -= velocity[1];
-        g->vz[0] -= velocity[2];
-        r->wx -= s.sine_rate*s.axis[0];
-        r->wy -= s.sine_rate*s.axis[1];
-        r->wz -= s.sine_rate*s.axis[2];
+        spin[0] = s.sine_rate*s.axis[0];
+        spin[1] = s.sine_rate*s.axis[1];
+        spin[2] = s.sine_rate*s.axis[2];
     }
+    if (facet.number >= 0)
+    {
+        const struct dem_wall_drive drive = drives[facet.number];
+
+        dem_wall_drive_add(&drive, facet.wall >= 0 ? &pose : 0, &facet, point, normal, velocity,
+                           spin);
+    }
+    g->vx[0] -= velocity[0];
+    g->vy[0] -= velocity[1];
+    g->vz[0] -= velocity[2];
+    r->wx -= spin[0];
+    r->wy -= spin[1];
+    r->wz -= spin[2];
     const struct dem_facet_step since = {.displacement = &s, .pose = facet.wall >= 0 ? &pose : 0,
                                          .v = {v.x, v.y, v.z}, .dt = r->dt};
 
@@ -153,10 +165,11 @@ static void dem_row_add_surface(global const struct dem_facet *restrict in_memor
     r->reduced_radius = dem_facet_reduced_radius(&facet, r->min_radius);
 }
 
-/* surface: some wall of the scene is curved or moves. */
+/* surface: some wall of the scene is curved, moves or conveys. */
 static void dem_row_of_wall(global const double4 *restrict record,
                             global const struct dem_facet *restrict facet,
-                            global const struct dem_device_frame *restrict frames, int surface,
+                            global const struct dem_device_frame *restrict frames,
+                            global const struct dem_wall_drive *restrict drives, int surface,
                             struct dem_gathered *gathered, struct dem_contact_row *r)
 {
     const double4 x = record[0], v = record[1], w = record[2];
@@ -187,7 +200,7 @@ static void dem_row_of_wall(global const double4 *restrict record,
     r->wz = w.z;
     if (surface)
     {
-        dem_row_add_surface(facet, frames, v, point, h, &g, r);
+        dem_row_add_surface(facet, frames, drives, v, point, h, &g, r);
     }
     dem_geometry_motion(&g, 0, 0.5, r);
     if (surface)

@@ -39,7 +39,6 @@ static int refuse_laws(const struct dem_interaction_table *t, char *why, size_t 
 static const char *wall_reason(const struct dem_wall *w)
 {
     return w->shape == DEM_SHAPE_TRIANGLES ? "is made of triangles"
-           : w->driven                     ? "has a surface that moves"
            : w->absorbs                    ? "absorbs particles"
                                            : NULL;
 }

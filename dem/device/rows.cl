@@ -22,7 +22,8 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
             global double *restrict history, global double4 *restrict force,
             global double4 *restrict moment, global double4 *restrict energy,
             global const struct dem_device_frame *restrict frames,
-            global const double *restrict columns)
+            global const double *restrict columns,
+            global const struct dem_wall_drive *restrict drives)
 {
     const uint k = get_global_id(0), row = first + k;
     double h[COLUMNS + 1];
@@ -38,7 +39,7 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
     dem_row_begin(b, s, &r);
 #if WITH_WALL
     dem_row_of_wall(record + 4*(size_t)partners[row].x, facets + partners[row].y,
-                    frames + s*b->frames, SURFACE, &g, &r);
+                    frames + s*b->frames, drives, SURFACE, &g, &r);
 #else
     dem_row_of_pair(record, partners[row], shift, RANDOM, &g, &r);
 #endif

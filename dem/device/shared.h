@@ -24,7 +24,8 @@ enum dem_device_event           /* what the host has to handle; it repeats the s
     DEM_DEVICE_CORNER = 16      /* two facets share a contact or its springs */
 };
 
-/* a moving wall in a step. The member `wall` of a facet on the device is its frame, -1: at rest. */
+/* a moving wall in a step. On the device the member `wall` of a facet is its frame, -1: at rest; and
+   `number` its wall where the surface slides in itself, else -1. */
 struct dem_device_frame
 {
     struct dem_pose pose;

@@ -9,84 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Sine of the angle between a face and the direction of a belt, below which the face has no
-   direction along it. Above the error of the normals of an STL file in single precision. */
-static const double min_sine = 1e-3;
-
-/* Add a belt's velocity along a face: `direction` projected on the face, with this speed [m/s]. */
-static void add_along_face(const double direction[3], const double normal[3], double speed,
-                           double sum[3])
-{
-    const double across = dem_vec_dot(direction, normal);
-    double along[3];
-
-    for (int k = 0; k < 3; k++)
-    {
-        along[k] = direction[k] - across*normal[k];
-    }
-    const double size = dem_vec_norm(along);
-
-    for (int k = 0; k < 3 && size > min_sine*dem_vec_norm(direction); k++)
-    {
-        sum[k] += along[k]*(speed/size);
-    }
-}
-
-/* Velocity of the surface in itself at the point x, both in the wall's frame: a belt in the
-   direction `drive`, a belt around an axis, a solid that turns:
-
-     |drive| unit(P drive) + speed unit(P (axis x d)) + spin x d
-     d = x - origin,  P v = v - (v.n) n
-
-   n is the normal of the face also where the contact is on its edge, so a ball leaves the end of a
-   belt with the velocity of the belt. */
-static void velocity_in_surface(const struct dem_wall *of, const struct dem_facet *r,
-                                const double x[3], const double contact_normal[3], double own[3])
-{
-    const double *const n =
-        r->shape == DEM_SHAPE_TRIANGLES && !r->bent ? r->normal : contact_normal;
-    double d[3], around[3];
-
-    dem_vec_minus(x, of->drive_origin, d);
-    dem_vec_cross(of->drive_spin, d, own);
-    add_along_face(of->drive, n, dem_vec_norm(of->drive), own);
-    dem_vec_cross(of->drive_axis, d, around);
-    add_along_face(around, n, of->drive_speed, own);
-}
-
-/* Add the motion of a surface in itself, like a conveyor belt. Its component along the normal of
-   the contact is ignored: a surface that slides in itself does not push. */
-static void add_surface_velocity(const struct dem_walls *w, const struct dem_facet *r,
-                                 const struct dem_wall_touch *at, struct dem_wall_surface *surface)
-{
-    const struct dem_wall *const of = &w->wall[r->wall];
-    double run[3], spin[3];
-
-    if (of->frame < 0)
-    {
-        velocity_in_surface(of, r, at->point, at->normal, run);
-        memcpy(spin, of->drive_spin, sizeof spin);
-    }
-    else
-    {
-        const struct dem_pose *const pose = &w->frame[of->frame].pose;
-        double x[3], n[3], own[3];
-
-        dem_pose_to_frame(pose, at->point, x);
-        dem_pose_direction_to_frame(pose, at->normal, n);
-        velocity_in_surface(of, r, x, n, own);
-        dem_pose_direction(pose, own, run);
-        dem_pose_direction(pose, of->drive_spin, spin);
-    }
-    const double along = dem_vec_dot(run, at->normal);
-
-    for (int k = 0; k < 3; k++)
-    {
-        surface->velocity[k] += run[k] - along*at->normal[k];
-        surface->spin[k] += spin[k];
-    }
-}
-
 static const struct dem_wall_displacement rest;
 
 /* From the position before the motion, the chord of the rotation deviates from the tangent to the
@@ -105,7 +27,9 @@ void dem_wall_surface_motion(const struct dem_walls *w, int facet, const struct 
     }
     if (of->driven)
     {
-        add_surface_velocity(w, &w->facet[facet], at, surface);
+        dem_wall_drive_add(&of->drive, of->frame < 0 ? NULL : &w->frame[of->frame].pose,
+                           &w->facet[facet], at->point, at->normal, surface->velocity,
+                           surface->spin);
     }
 }
 

@@ -29,6 +29,7 @@
 #include "core/name_index.h"
 #include "particles/periodic_image.h"
 #include "walls/facet.h"
+#include "walls/wall_drive.h"
 #include "walls/wall_motion.h"
 #include <stddef.h>
 #include <stdint.h>
@@ -63,12 +64,9 @@ struct dem_wall
     double point[3], radius;
     /* index of its reference frame in dem_walls, or -1: at rest */
     int frame;
-    /* 1: the surface slides in itself (conveyor), see walls/wall_surface.c */
+    /* 1: the surface slides in itself (conveyor) */
     int driven;
-    /* m/s, 1/s, m, all in the wall's frame */
-    double drive[3], drive_spin[3], drive_origin[3];
-    /* unit, m/s: of a belt around an axis */
-    double drive_axis[3], drive_speed;
+    struct dem_wall_drive drive;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
     /* one for each particle scalar; NULL: insulated for all */
