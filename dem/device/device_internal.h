@@ -67,6 +67,9 @@ struct dem_device
     size_t speeds, words;
 };
 
+/* device_open.c: skin [m] of the next lists, for particles of up to this speed [m/s]. */
+double dem_device_skin(const struct dem_device *, double speed, double dt);
+
 /* device_state.c: the host's lists and state to the device; the state back, with rows of the host's
    lists, or as saved history. */
 int dem_device_put(struct dem_device *, const struct dem_state *);

@@ -377,7 +377,8 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? include_name(c, "device/fluid.cl")
                                                              : DEM_OK);
     DEM_TRY(add_bodies(c, table));
-    return include_name(c, "device/lists.cl");
+    DEM_TRY(include_name(c, "device/lists.cl"));
+    return include_name(c, "device/scan.cl");
 }
 
 int dem_device_program(const struct dem_interaction_table *table,

@@ -3,7 +3,7 @@
  * composed into one OpenCL C text. What the scene does not name is not in it.
  *
  * Kernels: rows_<class> for each pair class (rows.cl), bodies and clear_apart (bodies.cl), lists_*
- * and scan_* (lists.cl), test_<class> (test.cl).
+ * (lists.cl), scan_* (scan.cl), test_<class> (test.cl).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
