@@ -21,7 +21,8 @@
 
 enum
 {
-    BACKUP_STEPS = 1000  /* between backups in memory; one costs less than a step */
+    BACKUP_STEPS = 1000,  /* between backups in memory; one costs less than a step */
+    DEVICE_BACKUP_STEPS = 50000    /* with a device, from which the state comes for it */
 };
 
 static const char help[] =
@@ -174,7 +175,8 @@ static int advance(struct run_state *c, double duration)
 
     if (o->last_good)
     {
-        DEM_TRY(dem_backup_every(c->d, BACKUP_STEPS));
+        DEM_TRY(dem_backup_every(c->d, dem_device_bytes(c->d) > 0.0 ? DEVICE_BACKUP_STEPS
+                                                                    : BACKUP_STEPS));
     }
     const int status = dem_advance(c->d, duration);
 
