@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demWalls.H"
-#include "dem.h"
+#include "dem_query.h"
 #include "demCheck.H"
 #include "demDomain.H"
 #include "demPassable.H"

@@ -10,7 +10,7 @@
 #ifndef DEM_ADVISOR_PLAN_H
 #define DEM_ADVISOR_PLAN_H
 
-#include "dem.h"
+#include "dem_query.h"
 #include "dem_numbers.h"
 #include "dem_plan.h"
 #include "core/text.h"

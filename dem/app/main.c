@@ -9,7 +9,7 @@
 #include "app/main.h"
 #include "core/error.h"
 #include "core/did_you_mean.h"
-#include "dem.h"
+#include "dem_query.h"
 #include <mpi.h>
 #include <errno.h>
 #include <malloc.h>

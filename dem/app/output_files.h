@@ -7,7 +7,7 @@
 #ifndef DEM_APP_OUTPUT_FILES_H
 #define DEM_APP_OUTPUT_FILES_H
 
-#include "dem.h"
+#include "dem_query.h"
 #include "input/dictionary.h"
 #include "app/main.h"
 #include <stdbool.h>

@@ -7,7 +7,7 @@
 #ifndef DEM_APP_SCENE_OPTIONS_H
 #define DEM_APP_SCENE_OPTIONS_H
 
-#include "dem.h"
+#include "dem_query.h"
 #include "app/accuracy.h"
 #include "app/main.h"
 #include "app/output_files.h"

@@ -6,7 +6,7 @@
 #ifndef DEM_CASE_INTERNAL_H
 #define DEM_CASE_INTERNAL_H
 
-#include "dem.h"
+#include "dem_query.h"
 #include "case/scene.h"
 #include "records/totals.h"
 #include "records/snapshot_scene.h"

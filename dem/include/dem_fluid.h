@@ -14,7 +14,7 @@
 #ifndef DEM_FLUID_H
 #define DEM_FLUID_H
 
-#include "dem.h"
+#include "dem_query.h"
 
 #ifdef __cplusplus
 extern "C" {

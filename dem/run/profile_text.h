@@ -6,7 +6,7 @@
 #ifndef DEM_RUN_PROFILE_TEXT_H
 #define DEM_RUN_PROFILE_TEXT_H
 
-#include "dem.h"
+#include "dem_query.h"
 #include "core/text.h"
 
 /* Writes nothing if no step was made. Returns DEM_OK or an error. */

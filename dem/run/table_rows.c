@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "dem.h"
+#include "dem_query.h"
 #include "dem_tables.h"
 #include "core/error.h"
 #include "core/memory.h"

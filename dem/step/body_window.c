@@ -146,48 +146,53 @@ static void response_of_added_mass(struct dem_particles *particles, double windo
     }
 }
 
+/* |u - v(start)|, u of the undisturbed fluid with its eddies. */
+static double slip_at_start(const struct dem_particles *particles, size_t i)
+{
+    const double *const u = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) + 3*i,
+                        *const start = dem_column(particles, DEM_COLUMN_START_VELOCITY) + 3*i,
+                        *const wake = dem_column(particles, DEM_COLUMN_OWN_WAKE);
+    double eddy[3], sum = 0.0;
+
+    dem_eddies_velocity(particles, i, eddy);
+    for (size_t axis = 0; axis < 3; axis++)
+    {
+        const double own = wake ? wake[DEM_OWN_WAKE_WIDTH*i + axis] : 0.0,
+                     slip = u[axis] - own + eddy[axis] - start[axis];
+
+        sum += slip*slip;
+    }
+    return sqrt(sum);
+}
+
 void dem_bodies_end_window(struct dem_particles *particles, const struct dem_domain *domain,
                            double window)
 {
-    const double *const u = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY),
-                        *const wake = dem_column(particles, DEM_COLUMN_OWN_WAKE),
-                        *const start = dem_column(particles, DEM_COLUMN_START_VELOCITY);
-    const double *const J = dem_column(particles, DEM_COLUMN_DRAG_IMPULSE);
+    const double *const impulse = dem_column(particles, DEM_COLUMN_DRAG_IMPULSE);
 
-    for (size_t i = 0; u && i < particles->n; i++)
+    if (!dem_column(particles, DEM_COLUMN_FLUID_VELOCITY))
     {
-        const double free =    /* m E */
-            particles->record[i].inverse_mass > 0.0
-                ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/
-                      particles->record[i].inverse_mass
+        return;
+    }
+    for (size_t i = 0; i < particles->n; i++)
+    {
+        const double *const J = impulse + 3*i;
+        const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i],
+                     held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i],     /* B */
+                     slip = slip_at_start(particles, i),
+                     drag = sqrt(J[0]*J[0] + J[1]*J[1] + J[2]*J[2]);
+        const double inverse_mass = particles->record[i].inverse_mass;
+        const double free =                                                     /* m E */
+            inverse_mass > 0.0
+                ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/inverse_mass
                 : 0.0;
-        const double held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i];    /* B */
-        const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i];
-        double slip = 0.0, impulse = 0.0, eddy[3];
+        const double response = inverse_mass == 0.0 || drag >= held*slip ? held : drag/slip,
+                     least = free/slip_factor;
 
-        dem_eddies_velocity(particles, i, eddy);
-        for (size_t k = 3*i; k < 3*i + 3; k++)
-        {
-            const double own = wake ? wake[DEM_OWN_WAKE_WIDTH*i + k - 3*i] : 0.0;
-            const double w = u[k] - own + eddy[k - 3*i] - start[k];
-
-            slip += w*w;
-            impulse += J[k]*J[k];
-        }
-        slip = sqrt(slip);
-        impulse = sqrt(impulse);
-        const double measured =
-            particles->record[i].inverse_mass == 0.0 || impulse >= held*slip ? held : impulse/slip;
-
-        const double min = free/slip_factor;
-
-        dem_column(particles, DEM_COLUMN_RESPONSE)[i] = measured > min ? measured : min;
+        dem_column(particles, DEM_COLUMN_RESPONSE)[i] = response > least ? response : least;
         dem_column(particles, DEM_COLUMN_DRAG_FRACTION)[i] =
             free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
     }
     response_of_added_mass(particles, window);
-    if (u)
-    {
-        displacements(particles, domain);
-    }
+    displacements(particles, domain);
 }

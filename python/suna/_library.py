@@ -13,7 +13,7 @@ from pathlib import Path
 import cffi
 
 HERE = Path(__file__).resolve().parent
-HEADERS = ("dem_types.h", "dem.h", "dem_fluid.h", "dem_tables.h", "dem_plan.h")
+HEADERS = ("dem_types.h", "dem.h", "dem_query.h", "dem_fluid.h", "dem_tables.h", "dem_plan.h")
 
 
 def declarations(text):

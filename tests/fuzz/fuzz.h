@@ -10,7 +10,7 @@
 #ifndef FUZZ_H
 #define FUZZ_H
 
-#include "dem.h"
+#include "dem_query.h"
 #include <stddef.h>
 #include <stdint.h>
 

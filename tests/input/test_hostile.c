@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "unit/tap.h"
-#include "dem.h"
+#include "dem_query.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <dem.h>
+#include <dem_query.h>
 #include <stdio.h>
 
 static const char *const scene =

@@ -18,7 +18,7 @@
 
 #include "unit/tap.h"
 
-#include "dem.h"
+#include "dem_query.h"
 #include "dem_fluid.h"
 #include "dem_plan.h"
 #include "dem_tables.h"

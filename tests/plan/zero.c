@@ -11,7 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "dem.h"
+#include "dem_query.h"
 #include "dem_plan.h"
 #include <inttypes.h>
 #include <stdio.h>

@@ -22,7 +22,7 @@
  */
 #define _DEFAULT_SOURCE
 
-#include "dem.h"
+#include "dem_query.h"
 #include "core/random.h"
 #include <math.h>
 #include <malloc.h>

@@ -17,7 +17,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "core/random.h"
-#include "dem.h"
+#include "dem_query.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
