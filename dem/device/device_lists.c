@@ -16,7 +16,7 @@
 enum
 {
     SCAN_BLOCK = 16*DEM_DEVICE_GROUP,   /* SCAN_ITEMS of scan.cl times the items of a group */
-    SIZE_RATIO = 3                      /* with more the cells of one grid hold too many of the small */
+    SIZE_RATIO = 5                      /* with more the cells of one grid hold too many of the small */
 };
 
 /* ---- constants --------------------------------------------------------------------------------- */
