@@ -143,9 +143,12 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         v.z += step*r.fz;
 #endif
 #ifdef COLUMN_ANGULAR_IMPULSE
-        w.x = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 0), h, w.w, r.spin_drag, r.spin_drag_wx, t[0], w.x);
-        w.y = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 1), h, w.w, r.spin_drag, r.spin_drag_wy, t[1], w.y);
-        w.z = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 2), h, w.w, r.spin_drag, r.spin_drag_wz, t[2], w.z);
+        w.x = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 0), h, w.w, r.spin_drag, r.spin_drag_wx,
+                             t[0], w.x);
+        w.y = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 1), h, w.w, r.spin_drag, r.spin_drag_wy,
+                             t[1], w.y);
+        w.z = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 2), h, w.w, r.spin_drag, r.spin_drag_wz,
+                             t[2], w.z);
 #else
         const double turn = h*w.w;
 

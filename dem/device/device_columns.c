@@ -37,7 +37,8 @@ static const struct
 
 enum
 {
-    COLUMNS = (int)(sizeof list/sizeof *list) + 1    /* the last: viscosity, the only scalar of a batch */
+    /* the last: viscosity, the only scalar of a batch */
+    COLUMNS = (int)(sizeof list/sizeof *list) + 1
 };
 
 struct column

@@ -41,7 +41,8 @@ struct dem_device
     struct dem_opencl_kernel *of_lists[DEM_LISTS_KERNELS];
 
     /* constants, a batch of steps and its report */
-    struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class, batch, report;
+    struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class;
+    struct dem_opencl_memory batch, report;
     /* of particles, and a copy from before the batch */
     struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
     /* of rows: the present lists and those before; results of a step; a copy */
@@ -77,7 +78,8 @@ int dem_device_get(struct dem_device *, struct dem_state *);
 int dem_device_reserve_rows(struct dem_device *, const struct dem_state *, uint32_t rows);
 
 /* device_lists.c: constants of lists; new lists from the present positions, with this skin [m]
-   (outside: 1 when a particle has left the domain, so that the host has to look); largest displacement [m] since the lists were made; the present positions as its reference. */
+   (outside: 1 when a particle has left the domain, so that the host has to look); largest
+   displacement [m] since the lists were made; the present positions as its reference. */
 int dem_device_begin_lists(struct dem_device *, const struct dem_state *);
 int dem_device_make_lists(struct dem_device *, const struct dem_state *, double skin,
                           int *outside);

@@ -16,7 +16,7 @@
 enum
 {
     SCAN_BLOCK = 16*DEM_DEVICE_GROUP,   /* SCAN_ITEMS of scan.cl times the items of a group */
-    SIZE_RATIO = 5                      /* with more the cells of one grid hold too many of the small */
+    SIZE_RATIO = 5                      /* with more, cells of one grid hold too many of the small */
 };
 
 /* ---- constants --------------------------------------------------------------------------------- */
@@ -226,8 +226,8 @@ static int sort_particles(struct dem_device *d, const struct dem_device_lists *l
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 1, old->walls));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_IMAGES], 2, &d->record, &old->partners, &d->image));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_IMAGES], old->walls));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_CELLS], 0, &d->lists, &d->record, &d->reference, &d->cell,
-                            &d->place, &d->first, &d->largest));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_CELLS], 0, &d->lists, &d->record, &d->reference,
+                            &d->cell, &d->place, &d->first, &d->largest));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_CELLS], n));
     DEM_TRY(scan(d, &d->first, cells));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ORDER], 0, &d->lists, &d->cell, &d->place, &d->first,
@@ -244,8 +244,8 @@ static int count(struct dem_device *d, const struct dem_state *state, struct dem
 
     DEM_TRY(clear(d, &list->start, n));
     DEM_TRY(clear(d, &d->row_first, classes*n));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_COUNT], 0, &d->lists, &d->record, &d->first, &d->order,
-                            &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_COUNT], 0, &d->lists, &d->record, &d->first,
+                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
                             &d->row_first));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_COUNT], n));
     DEM_TRY(scan(d, &list->start, n));
@@ -255,7 +255,8 @@ static int count(struct dem_device *d, const struct dem_state *state, struct dem
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_TOTALS], 2, &d->row_first, &list->start, &d->totals));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_TOTALS], classes + 1));
     DEM_TRY(dem_opencl_read(d->cl, &d->totals, 0, (classes + 1)*sizeof *list->first, list->first));
-    DEM_TRY(dem_opencl_read(d->cl, &d->totals, (classes + 1)*sizeof entries, sizeof entries, &entries));
+    DEM_TRY(dem_opencl_read(d->cl, &d->totals, (classes + 1)*sizeof entries, sizeof entries,
+                            &entries));
     list->rows = list->first[classes];
     list->walls = list->rows;
     for (int c = d->classes - 1; c >= 0 && state->interaction_table.list[c].pair.with_wall; c--)
@@ -273,8 +274,8 @@ static int fill(struct dem_device *d, const struct dem_state *state, struct dem_
     struct dem_opencl_kernel *const *const k = d->of_lists;
     const size_t n = state->particles.n;
 
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_FIND], 0, &d->lists, &d->record, &d->first, &d->order,
-                            &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_FIND], 0, &d->lists, &d->record, &d->first,
+                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
                             &d->partner));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_FIND], n));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ROWS], 0, &d->lists, &d->record, &d->pair_class,

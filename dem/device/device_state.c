@@ -168,7 +168,8 @@ static int get_rows(struct dem_device *d, struct dem_contact_history *h)
 static struct dem_contact_key key_of(const struct dem_state *state, const uint32_t partners[2],
                                      int wall)
 {
-    const struct dem_particle *const record = state->particles.record, *const i = &record[partners[0]];
+    const struct dem_particle *const record = state->particles.record,
+                              *const i = &record[partners[0]];
     struct dem_contact_key key = {.low = i->id, .counted = 1};
 
     if (wall)
@@ -226,7 +227,8 @@ static int get_saved(struct dem_device *d, struct dem_state *state)
     DEM_TRY(DEM_NEW(history, numbers + 1));
     int status = DEM_GROW(d->word, d->words, 2*(size_t)list->rows);
 
-    status = status ? status : dem_opencl_read(d->cl, &list->history, 0, numbers*sizeof *history, history);
+    status = status ? status
+                    : dem_opencl_read(d->cl, &list->history, 0, numbers*sizeof *history, history);
     status = status ? status
                     : dem_opencl_read(d->cl, &list->partners, 0,
                                       2*(size_t)list->rows*sizeof *d->word, d->word);

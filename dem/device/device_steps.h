@@ -22,7 +22,7 @@ struct dem_device;
 /* Why the steps of this run cannot be made on a device, as a sentence, or "". */
 void dem_device_refusal(const struct dem_state *, char *why, size_t size);
 
-/* Open the device (opencl_device.h: wanted), build the program, and compare its bits with those of the CPU if
+/* Open the device (opencl_device.h: wanted), build the program, and compare its bits with the CPU's if
    this program has not been tested with this driver. An error is a sentence; the state is unchanged
    then. */
 int dem_device_begin(struct dem_state *, const char *wanted);

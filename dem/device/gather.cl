@@ -117,8 +117,8 @@ static double dem_wall_touch(global const struct dem_facet *restrict in_memory,
     return distance;
 }
 
-/* What a wall that is curved, moves or conveys changes: relative velocities, the normal of half a step ago, the
-   reduced radius. */
+/* What a wall that is curved, moves or conveys changes: relative velocities, the normal of half a
+   step ago, the reduced radius. */
 static void dem_row_add_surface(global const struct dem_facet *restrict in_memory,
                                 global const struct dem_device_frame *restrict frames,
                                 global const struct dem_wall_drive *restrict drives, double4 v,

@@ -289,7 +289,8 @@ kernel void lists_rows(constant struct dem_device_lists *l, global const double4
 
     for (uint e = i < l->particles ? start[i] : 0; i < l->particles && e < start[i + 1]; e++)
     {
-        const uint j = list[e] & ((1u << SHIFT_BITS) - 1), material = dem_material(dem_bits(record, i));
+        const uint j = list[e] & ((1u << SHIFT_BITS) - 1),
+                   material = dem_material(dem_bits(record, i));
         const int wall = list[e] >> SHIFT_BITS == FACET;
 
         if (wall || dem_id(record, i) < dem_id(record, j))

@@ -2,8 +2,8 @@
  * opencl_device.h -- an OpenCL device: found, opened, given a program, memory and work.
  *
  * libOpenCL is opened at run time, so that a machine without it runs everything else. What the calls
- * of a device return and take hides OpenCL's types: opencl_device.c and opencl_program.c alone include its
- * headers (Debian: opencl-c-headers). Built without them, every call says so.
+ * of a device return and take hides OpenCL's types: opencl_device.c and opencl_program.c alone
+ * include its headers (Debian: opencl-c-headers). Built without them, every call says so.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -59,7 +59,8 @@ int dem_opencl_reserve(struct dem_opencl *, struct dem_opencl_memory *, size_t b
 void dem_opencl_release(struct dem_opencl *, struct dem_opencl_memory *);
 size_t dem_opencl_bytes(const struct dem_opencl *);    /* of all memory reserved */
 
-/* Arguments of a kernel: n memories, from this one on; an integer. Then make `items` work items of it. */
+/* Arguments of a kernel: n memories, from this one on; an integer. Then make `items` work items of
+   it. */
 int dem_opencl_give(struct dem_opencl *, struct dem_opencl_kernel *, int argument, int n,
                     const struct dem_opencl_memory *const *);
 #define DEM_OPENCL_GIVE(cl, kernel, argument, ...)                                             \

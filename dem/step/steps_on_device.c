@@ -143,7 +143,8 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     steps.ends = ends;
     steps.max_displacement = dem_limits_max_wall_displacement(state);
     steps.max_speed = dem_limits_max_speed(state);
-    if (!dem_device_makes_lists(state->device) && rest_of_lists(state) < FEW_STEPS*state->next_drift.max_speed*state->dt)
+    if (!dem_device_makes_lists(state->device) &&
+        rest_of_lists(state) < FEW_STEPS*state->next_drift.max_speed*state->dt)
     {
         state->stale = half_used(state) ? 1 : 0;
         return DEM_OK;
