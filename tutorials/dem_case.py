@@ -15,10 +15,11 @@ from pathlib import Path
 
 import numpy
 
-# what pictures look like: muellerBed has it
+# style and spheres of pictures: muellerBed leads to them
 sys.path.append(str(Path(__file__).resolve().parent/"muellerBed"))
 import render                                           # noqa: E402, F401
-from style import OTHER, OURS, REFERENCE, plt, save     # noqa: E402, F401
+from style import GREY, MEASURED, OTHER, OURS, POINTS, REFERENCE, below, panels, plain_ticks, plt, \
+    save, shades           # noqa: E402, F401
 
 KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8"}
 

@@ -17,6 +17,7 @@ void Foam::demCloud::advance
     const volScalarField& mu
 )
 {
+    exchange_.setDensity(rho);
     budget_.beforePassing(gradP);
     volume_.passInletsOutlets(U);
     budget_.countPassed(gradP);
@@ -55,7 +56,12 @@ void Foam::demCloud::advance
 
 
 // False if fluid and particles exert no forces on each other
-bool Foam::demCloud::correctParticles(const volVectorField& U, const volVectorField& gradP)
+bool Foam::demCloud::correctParticles
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volScalarField& rho
+)
 {
     exchange_.updateAcceleration(U);
 
@@ -67,7 +73,7 @@ bool Foam::demCloud::correctParticles(const volVectorField& U, const volVectorFi
 
     const volVectorField onFluid(exchange_.onFluid(U, gradP));
     budget_.addExchange(U, onFluid);
-    attempt([&] { exchange_.correct(U, gradP, onFluid); });
+    attempt([&] { exchange_.correct(U, gradP, rho, onFluid); });
     return true;
 }
 
@@ -196,27 +202,26 @@ void Foam::demCloud::evolve
 }
 
 
-void Foam::demCloud::correct(const volVectorField& U, const volVectorField& gradP)
+void Foam::demCloud::correct
+(
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volScalarField& rho,
+    const vector& momentum
+)
 {
-    if (correctParticles(U, gradP))
+    if (correctParticles(U, gradP, rho))
     {
         const vector impulse(exchange_.pressureImpulse(gradP));
         budget_.addPressureImpulse(impulse);
-
-        const vectorField& u = U;
-        const scalarField& e = volume_.field();
-        reportMomentum
-        (
-            particles_.fluidDensity()*gSum((mesh_.V().field()*e*u)()),
-            exchange_.owedPressureImpulse(impulse)
-        );
+        reportMomentum(momentum, exchange_.owedPressureImpulse(impulse));
     }
 }
 
 
 void Foam::demCloud::correct(const volVectorField& U, const volScalarField& rho)
 {
-    if (correctParticles(U, exchange_.pressureGradient()))
+    if (correctParticles(U, exchange_.pressureGradient(), rho))
     {
         const vectorField& u = U;
         const scalarField& density = rho;

@@ -19,10 +19,38 @@ Foam::demTimeStepControl::demTimeStepControl(const Time& time, demCloud& cloud)
     time_(time),
     cloud_(cloud),
     names_({"maxCo", "maxParticleCo", "maxVoidFractionChange", "maxRelaxation"}),
+    what_
+    ({
+        "Courant number of the fluid", "Courant number of particles",
+        "change of the void fraction of a cell", "step over the relaxation time of a particle"
+    }),
     value_(nCriteria, Zero),
     limit_(nCriteria, Zero),
     reported_(nCriteria, Zero)
 {}
+
+
+Foam::label Foam::demTimeStepControl::add(const word& name, const string& what)
+{
+    names_.append(name);
+    what_.append(what);
+    value_.append(0);
+    limit_.append(0);
+    reported_.append(0);
+    return names_.size() - 1;
+}
+
+
+void Foam::demTimeStepControl::set
+(
+    const label criterion,
+    const scalar value,
+    const scalar limit
+)
+{
+    value_[criterion] = value;
+    limit_[criterion] = limit;
+}
 
 
 void Foam::demTimeStepControl::read(const scalar maxCo)
@@ -30,7 +58,7 @@ void Foam::demTimeStepControl::read(const scalar maxCo)
     const scalar defaultLimit[nCriteria] = {maxCo, cloud_.particles().maxCo(), 0.1, 0};
 
     limit_[FLUID] = maxCo;
-    for (label k = PARTICLES; k < nCriteria; ++k)
+    for (label k = PARTICLES; k < nCriteria; ++k)   // the solver has set its own
     {
         const dictionary& control = time_.controlDict();
         limit_[k] = control.getOrDefault<scalar>(names_[k], defaultLimit[k]);
@@ -84,18 +112,13 @@ Foam::scalar Foam::demTimeStepControl::particleRatio(const scalar deltaT, word& 
 
 void Foam::demTimeStepControl::report()
 {
-    static const char* what[nCriteria] =
-    {
-        "Courant number of the fluid", "Courant number of particles",
-        "change of the void fraction of a cell", "step over the relaxation time of a particle"
-    };
-    for (label k = 0; k < nCriteria; ++k)
+    for (label k = 0; k < names_.size(); ++k)
     {
         const scalar limit = limit_[k] > 0 ? limit_[k] : relaxationWarning;
         if (!reported_[k] && value_[k] > limit)
         {
             reported_[k] = 1;
-            Info<< "Suna: deltaT " << time_.deltaTValue() << " s is long: " << what[k]
+            Info<< "Suna: deltaT " << time_.deltaTValue() << " s is long: " << what_[k].c_str()
                 << " " << value_[k] << ", above " << limit << " (" << names_[k]
                 << "); take " << time_.deltaTValue()*limit/value_[k]
                 << " s, or adjustTimeStep yes" << endl;
@@ -107,7 +130,7 @@ void Foam::demTimeStepControl::report()
 Foam::label Foam::demTimeStepControl::limiting() const
 {
     label tightest = FLUID;
-    for (label k = 0; k < nCriteria; ++k)
+    for (label k = 0; k < names_.size(); ++k)
     {
         if (limit_[k] > 0 && value_[k]*limit_[tightest] > value_[tightest]*limit_[k])
         {

@@ -33,7 +33,7 @@ void Foam::demCouplingScheme::checkGiven(const word& name, const bool volumeAver
     if (own.found(name) && !volumeAveraged)
     {
         FatalIOErrorInFunction(own)
-            << name << " is for demPimpleFoam; the equations of this solver have"
+            << name << " is for demPimpleFoam and demInterFoam; the equations of this solver have"
             << " no void fraction. Take it out of coupling in constant/"
             << demDict::name() << exit(FatalIOError);
     }

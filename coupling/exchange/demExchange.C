@@ -25,6 +25,22 @@ Foam::demUnderRelaxation Foam::demExchange::underRelaxation() const
 }
 
 
+// With the hydrostatic part of the density that the particles have in this step, also when
+// they have moved in a density that varies
+Foam::tmp<Foam::vectorField> Foam::demExchange::sampleGradient(const volVectorField& gradP) const
+{
+    tmp<vectorField> tgradient(transfer_.sample(gradP));
+    vectorField& gradient = tgradient.ref();
+    const scalarField rho(particles_.sample(rho_()));
+
+    forAll(gradient, i)
+    {
+        gradient[i] += (fluid_.density[i] - rho[i])*particles_.gravity();
+    }
+    return tgradient;
+}
+
+
 // Logged once, if the particles would oscillate without it, and again whenever it falls
 void Foam::demExchange::reportRelaxation()
 {
@@ -55,7 +71,7 @@ void Foam::demExchange::depositPressureResponse(vectorField& reaction)
         reportRelaxation();
         const demUnderRelaxation relaxation(underRelaxation());
         relaxation.response(volumeResponse);
-        reaction += relaxation.explicitForce(transfer_.sample(gradP_)());
+        reaction += relaxation.explicitForce(sampleGradient(gradP_)());
     }
 
     transfer_.deposit(volumeResponse, pressureResponse_.ref());
@@ -133,7 +149,7 @@ void Foam::demExchange::prepare()
 {
     if (particles_.volumeAveraged() && !scheme_.wholeDrag())
     {
-        dem_case_fluid_displaced(particles_.described(), particles_.fluidDensity());
+        dem_case_fluid_displaced(particles_.described(), particles_.densestFluid());
     }
     ownWake_.prepare(scheme_.wholeDrag());
 }
@@ -150,6 +166,12 @@ void Foam::demExchange::begin()
         scheme_.checkEffects();
         dem_fluid_whole_drag(particles_.core(), scheme_.wholeDrag());
     }
+}
+
+
+void Foam::demExchange::setDensity(const volScalarField& rho)
+{
+    rho_.reset(new volScalarField("dem:rho", rho));
 }
 
 
@@ -251,6 +273,7 @@ void Foam::demExchange::correct
 (
     const volVectorField& U,
     const volVectorField& gradP,
+    const volScalarField& rho,
     const volVectorField& onFluid
 )
 {
@@ -261,7 +284,7 @@ void Foam::demExchange::correct
 
     if (relaxed)
     {
-        reached = transfer_.sample(gradP);
+        reached = sampleGradient(gradP);
         gradient = underRelaxation().next(reached);
         forAll(gradient, i)
         {
@@ -307,6 +330,7 @@ void Foam::demExchange::correct
     {
         demUnderRelaxation relaxation(underRelaxation());
         relaxation.finish(reached);
+        relaxation.changeDensity(particles_.sample(rho)());
         if (fluid_.acceleration)
         {
             relaxation.relaxAcceleration(quantities_.sampleAcceleration()());
@@ -323,7 +347,7 @@ Foam::vector Foam::demExchange::pressureImpulse(const volVectorField& gradP) con
     }
     const vectorField dynamic
     (
-        transfer_.sample(gradP)() - particles_.fluidDensity()*particles_.gravity()
+        transfer_.sample(gradP)() - particles_.sample(rho_())()*particles_.gravity()
     );
     return -particles_.window()*gSum((volumes(view_)*dynamic)());
 }

@@ -56,7 +56,7 @@ void Foam::demParticleBudget::begin(const bool volumeAveraged)
     {
         reason =
             "the equations of this solver have no void fraction; take it out, or take"
-            " demPimpleFoam. The log has the momentum of fluid and particles in each"
+            " demPimpleFoam or demInterFoam. The log has the momentum of fluid and particles in each"
             " step, and the heat where it is exchanged";
     }
     else if (!particles_.twoWay())

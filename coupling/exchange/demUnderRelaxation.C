@@ -162,6 +162,18 @@ void Foam::demUnderRelaxation::finish(const UList<vector>& gradient)
 }
 
 
+void Foam::demUnderRelaxation::changeDensity(const UList<scalar>& density)
+{
+    forAll(density, i)
+    {
+        for (direction d = 0; d < 3; d++)
+        {
+            fluid_.pressure_gradient[3*i + d] += (density[i] - fluid_.density[i])*gravity_[d];
+        }
+    }
+}
+
+
 bool Foam::demUnderRelaxation::withoutFactors(const struct ::dem_fluid& fluid)
 {
     bool none = true, some = false;

@@ -11,9 +11,11 @@
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
 #include "fvcReconstruct.H"
+#include "surfaceInterpolate.H"
 #include "surfaceFields.H"
 #include "uniformDimensionedFields.H"
 #include "HashSet.H"
+#include "surfaceTensionModel.H"
 #include "turbulenceModel.H"
 
 namespace Foam
@@ -55,9 +57,36 @@ static tmp<volScalarField> uniform
 } // End namespace Foam
 
 
+// Particles do not feel the jump of the pressure across a curved interface: fluid and
+// particles together would gain momentum from a drop at rest. Null without an interface. The
+// solver's interfaceProperties registers the curvature and the model of surface tension.
+Foam::tmp<Foam::surfaceScalarField> Foam::demFluid::capillaryGradient() const
+{
+    const volScalarField* curvature =
+        mesh_.findObject<volScalarField>("interfaceProperties:K");
+    const surfaceTensionModel* tension =
+        mesh_.findObject<surfaceTensionModel>(surfaceTensionModel::typeName);
+
+    for (const char* name : {"transportProperties", "thermophysicalProperties"})
+    {
+        const dictionary* properties = mesh_.findObject<dictionary>(name);
+
+        if (curvature && tension && properties && properties->found("phases"))
+        {
+            const word phase(wordList(properties->lookup("phases"))[0]);
+            const volScalarField& alpha =
+                lookup<volScalarField>(mesh_, IOobject::groupName("alpha", phase));
+
+            return fvc::interpolate(tension->sigma()*(*curvature))*fvc::snGrad(alpha);
+        }
+    }
+    return nullptr;
+}
+
+
 // p = p_rgh + rho gh, so grad p - rho g = grad p_rgh + gh grad rho. On faces, as
-// the solver balances it, this is zero in a fluid at rest. The gradient of p in
-// cells is not, where the density jumps.
+// the solver balances it, this is zero in a fluid at rest, less the force of surface
+// tension. The gradient of p in cells is not, where the density jumps.
 Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
 (
     const volScalarField& p_rgh
@@ -66,10 +95,13 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
     const volScalarField& rho = lookup<volScalarField>(mesh_, "rho");
     const surfaceScalarField& ghf = lookup<surfaceScalarField>(mesh_, "ghf");
 
-    return fvc::reconstruct
-    (
-        (fvc::snGrad(p_rgh) + ghf*fvc::snGrad(rho))*mesh_.magSf()
-    );
+    surfaceScalarField gradient(fvc::snGrad(p_rgh) + ghf*fvc::snGrad(rho));
+    const tmp<surfaceScalarField> tcapillary(capillaryGradient());
+    if (tcapillary.valid())
+    {
+        gradient -= tcapillary();
+    }
+    return fvc::reconstruct(gradient*mesh_.magSf());
 }
 
 
@@ -149,6 +181,33 @@ Foam::scalar Foam::demFluid::uniformDensity
     }
 
     return rho;
+}
+
+
+Foam::scalar Foam::demFluid::largestDensity
+(
+    const fvMesh& mesh,
+    const dictionary& own
+)
+{
+    const dictionary* transport =
+        mesh.findObject<dictionary>("transportProperties");
+
+    if (!transport || !transport->found("phases"))
+    {
+        return uniformDensity(mesh, own);
+    }
+
+    scalar largest = 0;
+    for (const word& phase : wordList(transport->lookup("phases")))
+    {
+        largest = max
+        (
+            largest,
+            dimensionedScalar("rho", dimDensity, transport->subDict(phase)).value()
+        );
+    }
+    return largest;
 }
 
 

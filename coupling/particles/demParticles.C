@@ -272,6 +272,12 @@ Foam::scalar Foam::demParticles::fluidDensity() const
 }
 
 
+Foam::scalar Foam::demParticles::densestFluid() const
+{
+    return demFluid::largestDensity(mesh_, dict_.coupling());
+}
+
+
 Foam::scalar Foam::demParticles::maxCo() const
 {
     return mesh_.time().controlDict().getOrDefault<scalar>("maxParticleCo", 0.5);

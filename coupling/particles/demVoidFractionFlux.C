@@ -1,6 +1,6 @@
 /*---------------------------------------------------------------------------*\
     demVoidFractionFlux.C -- the volume flux of the particles for the continuity
-    equation (demPimpleFoam/voidageFlux.H): between cells, through patches, and sources
+    equation (averaged/voidageFlux.H): between cells, through patches, and sources
     inside the mesh.
 
     SPDX-License-Identifier: GPL-3.0-or-later

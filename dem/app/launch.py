@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna_cost or
-suna_import with a python3 that has what it needs. `dem cost` starts dem-cost.
+"""launch.py -- beside the program as dem-cost, dem-import, dem-plot and demCost: starts suna_cost,
+suna_import or suna_plot with a python3 that has what it needs. `dem cost` starts dem-cost.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -15,7 +15,7 @@ HERE = os.path.dirname(os.path.realpath(__file__))
 # module of each command, and what it needs
 COMMANDS = {"dem-cost": ("suna_cost.__main__", "cffi", "numpy", "scipy"),
             "demCost": ("suna_cost.case_command", "cffi", "numpy", "scipy"),
-            "dem-plot": ("suna_cost.plot", "cffi", "numpy", "matplotlib"),
+            "dem-plot": ("suna_plot.table", "cffi", "numpy", "matplotlib"),
             "dem-import": ("suna_import.__main__", "cffi", "numpy", "scipy")}
 NAME = os.path.basename(__file__)
 COMMAND = NAME.replace("-", " ")

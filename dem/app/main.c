@@ -29,7 +29,7 @@ static const struct command
      "check a scene and report its effects, time step, memory and run time, without running it",
      dem_main_plan},
     {"cost", "accuracy against processor time, over time step and stiffness", NULL},
-    {"plot", "draw a table of dem cost or demCost again", NULL},
+    {"plot", "draw tables: energy, forces on walls, means, the cost.csv of dem cost", NULL},
     {"import", "translate input of LIGGGHTS, CFDEMcoupling or OpenFOAM into a scene or case", NULL},
     {"effects", "list the effects with their settings, units, defaults, ranges and sources",
      dem_main_effects},
@@ -133,7 +133,12 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     return_large_blocks();
-    MPI_Init(&argc, &argv);
+    if (MPI_Init(&argc, &argv) != MPI_SUCCESS)
+    {
+        fprintf(stderr, "dem: MPI does not start; a program built with MPI=no runs in one process only, "
+                        "build it again without that for several ranks\n");
+        return EXIT_FAILURE;
+    }
     MPI_Comm_rank(MPI_COMM_WORLD, &p.rank);
     MPI_Comm_size(MPI_COMM_WORLD, &p.ranks);
     p.comm = p.ranks > 1 ? MPI_COMM_WORLD : MPI_COMM_NULL;

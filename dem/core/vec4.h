@@ -10,6 +10,10 @@
 #ifndef DEM_CORE_VEC4_H
 #define DEM_CORE_VEC4_H
 
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
+#error "Suna needs gcc 12 or later, or clang 14; name another compiler with OMPI_CC=..."
+#endif
+
 typedef double dem_vec4 __attribute__((vector_size(32), aligned(16), may_alias));
 
 /* Four numbers in memory, to read and to write. A macro, because returning a vector has no fixed

@@ -3,6 +3,8 @@
 #   make install PREFIX=/usr/local DESTDIR=     DESTDIR goes before every path, as packages need it
 #   make install LIBDIR=/usr/lib/x86_64-linux-gnu PYTHONDIR=...     other folders
 #   make uninstall                              with the same PREFIX, DESTDIR and folders
+#   make dist                                   what a release has, in $(BUILD)/dist: the source of Suna at the present
+#                                               commit; in python/ a source distribution and a wheel without MPI
 #
 # All files are first made in $(BUILD)/stage, below the paths that they will have; so install copies a
 # tree, and uninstall knows what was copied. SPDX-License-Identifier: GPL-3.0-or-later
@@ -17,15 +19,15 @@ PYTHON     ?= $(firstword $(wildcard /usr/bin/python3) python3)
 PYTHONDIR  ?= $(shell $(PYTHON) install/python_folder $(PREFIX))
 
 VERSION   := $(shell sed -n 's/^\#define DEM_VERSION "\(.*\)"/\1/p' include/dem.h)
-HEADERS   := $(sort $(wildcard include/*.h))
+HEADERS   := $(sort $(wildcard include/*.h)) $(if $(filter no,$(MPI)),ranks/serial/mpi.h)
 SONAME    := libdem.so.$(firstword $(subst ., ,$(VERSION)))
 STAGE      = $(BUILD)/stage
-PACKAGES   = suna suna_cost suna_import
-# of Open MPI's compilers, for programs that are compiled by others
-MPI_CFLAGS = $(shell $(CC) -showme:compile)
-MPI_LIBS   = $(shell $(CC) -showme:link)
+PACKAGES   = suna suna_cost suna_import suna_plot
+# what mpicc adds (Open MPI, MPICH), for programs that are compiled by others
+MPI_CFLAGS = $(filter -I% -D% -pthread,$(COMPILER))
+MPI_LIBS   = $(filter -L% -l% -pthread,$(COMPILER))
 
-.PHONY: stage install uninstall
+.PHONY: stage install uninstall dist
 
 # fill TEMPLATE: into $(LIBDIR); in it the include folder as seen from that file, too
 fill = sed -e 's|@VERSION@|$(VERSION)|g' -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' \
@@ -69,3 +71,13 @@ uninstall: stage
 	$(call say,uninstall,$(DESTDIR)$(PREFIX))
 	$Qcd $(STAGE) && find . ! -type d | while read -r file; do rm -f "$(DESTDIR)/$$file"; done
 	$Qrm -rf $(patsubst %,$(DESTDIR)%,$(INCLUDEDIR) $(LIBDIR)/cmake/suna $(PACKAGES:%=$(PYTHONDIR)/%))
+
+DIST = $(abspath $(BUILD))/dist
+dist:
+	$Qtest -z "$$(git status --porcelain -uno)" || { echo "make dist: commit the changes first; git status shows them" >&2; exit 1; }
+	$(call say,dist,$(DIST))
+	$Qrm -rf $(DIST) && mkdir -p $(DIST)/python
+	$Qcd .. && git archive --prefix=suna-$(VERSION)/ HEAD | xz > $(DIST)/suna-$(VERSION).tar.xz
+	$Qcd ../python && export SUNA_MPI=no && $(PYTHON) -c 'from setuptools.build_meta import build_sdist, build_wheel; \
+	    build_sdist("$(DIST)/python"); build_wheel("$(DIST)/python")' > $(DIST)/log
+	$Qcd $(DIST) && rm log && sha256sum *.tar.xz python/* > SHA256SUMS && cat SHA256SUMS

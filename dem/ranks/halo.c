@@ -64,7 +64,7 @@ static int box_in_reach(const struct dem_domain *d, const double x[3], const dou
         {
             const double y = x[k] + s*d->length[k], gap = fmax(0.0, fmax(min[k] - y, y - max[k]));
 
-            nearest = fmin(nearest, gap);
+            nearest = gap < nearest ? gap : nearest;    /* fmin: gcc 12 for aarch64 crashes */
         }
         square += nearest*nearest;
     }

@@ -4,8 +4,7 @@
     python3 docs/pictures/draw.py [FOLDER]        writes choosing-*.png there, else beside this file
 
 Nothing is computed here: tests/cost/studies/stored, tests/coupled/noise/stored.csv and
-tutorials/muellerBed/stored hold the numbers, their dates and how to make them again. Colours are
-those of Okabe and Ito, which colour-blind readers tell apart.
+tutorials/muellerBed/stored hold the numbers, their dates and how to make them again.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -13,20 +12,13 @@ import csv
 import pathlib
 import sys
 
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path.insert(0, str(ROOT/"python"))
+from suna_plot.style import COLOURS, GREY, MARKS, panels, plain_ticks, save as write     # noqa: E402
+
 STUDIES = ROOT/"tests/cost/studies/stored"
 BED = ROOT/"tutorials/muellerBed/stored"
-COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
-MARKS = ["o", "s", "^", "D", "v", "P", "x"]
-plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
-                     "axes.grid": True, "grid.alpha": 0.25, "savefig.dpi": 100,
-                     "savefig.bbox": "tight", "legend.frameon": False, "lines.linewidth": 1.3,
-                     "lines.markersize": 5})
 
 
 def rows(path):
@@ -48,91 +40,87 @@ def line(axes, number, points, label):
 
 def save(figure, name):
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE
-    figure.savefig(folder/("choosing-%s.png" % name), metadata={"Software": None})
-    plt.close(figure)
+    write(figure, folder/("choosing-%s.png" % name))
 
 
 def logarithmic(axes, x, y, ticks):
-    axes.set_xscale("log", base=2)
-    axes.set_yscale("log")
-    axes.set_xticks([t for t, _ in ticks])
-    axes.set_xticklabels([text for _, text in ticks])
-    axes.minorticks_off()
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.legend(fontsize=8)
+    axes.set(xscale="log", yscale="log", xlabel=x, ylabel=y)
+    plain_ticks(axes.xaxis, [t for t, _ in ticks])
+    axes.set_xticks([t for t, _ in ticks], [text for _, text in ticks])
+
+
+def legend(axes, columns=2, drop=-0.2):
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, drop), ncols=columns)
 
 
 def step():
-    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    figure, (left, right) = panels(2, 9)
     for k, (study, quantity, label) in enumerate([
             ("damped", "kinetic", "damped impact: energy"),
             ("oblique", "rotation", "oblique impact: rotation"),
             ("elastic", "kinetic", "elastic impact: energy"),
             ("bed", "rotation", "bed: rotation"), ("bed", "kinetic", "bed: energy")]):
         line(left, k, [(n, e) for n, _, e in series(study, "step", quantity)], label)
-    logarithmic(left, "DEM step over the automatic one", "error, %",
+    logarithmic(left, "DEM step over the automatic one", "error [%]",
                 [(2.0**k, "%g" % 2.0**k) for k in range(-3, 2)])
     for k, (quantity, label) in enumerate([("kinetic", "kinetic energy"), ("force", "force on the plate"),
                                            ("overlap", "overlap"), ("drop", "pressure drop")]):
         line(right, k, [(0.4*n, e) for n, _, e in series("mueller", "interval", quantity)], label)
-    logarithmic(right, "fluid step, ms", "error, %", [(t, "%g" % t) for t in (0.1, 0.2, 0.4, 0.8)])
-    left.set_title("DEM step", fontsize=9)
-    right.set_title("fluid step: a bed that begins to move", fontsize=9)
+    logarithmic(right, "fluid step [ms]", "error [%]", [(t, "%g" % t) for t in (0.1, 0.2, 0.4, 0.8)])
+    left.set_title("DEM step")
+    right.set_title("fluid step: a bed that begins to move")
+    legend(left)
+    legend(right)
     save(figure, "step")
 
 
 def stiffness():
-    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    figure, (left, right) = panels(2, 9)
     for k, (quantity, label) in enumerate([("height", "height, % of a diameter"),
                                            ("drop", "pressure drop"),
-                                           ("void", "least void fraction")]):
-        line(left, k, [(1e7*n, e) for n, _, e in series("mueller", "stiffness", quantity)], label)
-    ticks = [(1e7*n, "%.2g MPa" % (10*n)) for n in (0.0625, 0.25, 1, 4)]
-    logarithmic(left, "Young's modulus", "error against hard beads, %", ticks)
+                                           ("void", "smallest void fraction")]):
+        line(left, k, [(10*n, e) for n, _, e in series("mueller", "stiffness", quantity)], label)
+    ticks = [(10*n, "%.2g" % (10*n)) for n in (0.0625, 0.25, 1, 4)]
+    logarithmic(left, "Young's modulus [MPa]", "error against hard beads [%]", ticks)
     base = [s for n, s, _ in series("mueller", "stiffness", "height") if n == 1][0]
-    line(right, 0, [(1e7*n, s/base) for n, s, _ in series("mueller", "stiffness", "height")],
+    line(right, 0, [(10*n, s/base) for n, s, _ in series("mueller", "stiffness", "height")],
          "bed: fluid and particles")
     base = [s for n, s, _ in series("oblique", "stiffness", "kinetic") if n == 1][0]
-    line(right, 1, [(1e7*n, s/base) for n, s, _ in series("oblique", "stiffness", "kinetic")
+    line(right, 1, [(10*n, s/base) for n, s, _ in series("oblique", "stiffness", "kinetic")
                     if n <= 4], "particles alone")
-    logarithmic(right, "Young's modulus", "processor time over that at 10 MPa", ticks)
-    right.set_yticks([0.4, 0.5, 0.7, 1, 1.5])
-    right.set_yticklabels(["0.4", "0.5", "0.7", "1", "1.5"])
+    logarithmic(right, "Young's modulus [MPa]", "processor time over that at 10 MPa", ticks)
+    plain_ticks(right.yaxis, [0.4, 0.5, 0.7, 1, 1.5])
+    legend(left)
+    legend(right, 1)
     save(figure, "stiffness")
 
 
 def cells():
-    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    figure, (left, right) = panels(2, 9)
     for k, (quantity, label) in enumerate([("drop", "pressure drop"),
                                            ("force", "force on the plate")]):
         line(left, k, [(2.25/n, e) for n, _, e in series("mueller", "mesh", quantity)], label)
-    logarithmic(left, "cell, diameters (kernel linear)", "error, %",
+    logarithmic(left, "cell size over particle diameter (kernel linear)", "error [%]",
                 [(2.25/n, "%.2g" % (2.25/n)) for n in (0.5, 0.71, 1, 1.41)])
-    left.set_yticks([5, 10, 20])
-    left.set_yticklabels(["5", "10", "20"])
-    figure.subplots_adjust(wspace=0.35)
+    plain_ticks(left.yaxis, [5, 10, 20])
     noise = rows(ROOT/"tests/coupled/noise/stored.csv")
     kernels = ["gaussian", "diffusion", "linear", "divided", "particleCentre"]
     for k, (scene, label) in enumerate([("sphere, step 2.5 ms", "cells of one size"),
                                         ("sphere, cells 1 : 2", "cells 1 : 2"),
                                         ("sphere, cells 1 : 8", "cells 1 : 8")]):
         value = {r["kernel"]: 100*float(r["noise [1]"]) for r in noise if r["quantity"] == scene}
-        right.barh([n + 0.26*(1 - k) for n in range(len(kernels))], [value[n] for n in kernels],
-                   height=0.25, color=COLOURS[k], label=label)
-    right.set_yticks(range(len(kernels)))
-    right.set_yticklabels(kernels)
-    right.set_xscale("log")
-    right.set_xlim(right.get_xlim()[0], 3e4)
-    right.set_xlabel("noise of the pressure of a towed sphere, %")
-    right.legend(fontsize=8)
+        right.plot([value[n] for n in kernels], range(len(kernels)), color=COLOURS[k], marker=MARKS[k], ms=7,
+                   ls="", label=label)
+    right.set_yticks(range(len(kernels)), kernels)
+    right.set(xscale="log", ylim=(-0.5, len(kernels) - 0.5), xlabel="noise of the pressure of a towed sphere [%]")
+    legend(left)
+    legend(right, 3)
     save(figure, "cells")
 
 
 def drag():
     laws = ["gidaspow", "wenYu", "beetstra", "kochHill", "diFelice"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1),
-                                         gridspec_kw={"width_ratios": [2, 1]})
+    figure, (left, right) = panels(2, 9.5, width_ratios=[2, 1])
     for k, law in enumerate(laws):
         table = rows(BED/"softDrag"/law/"result.csv")
         profiles = [r for r in table if r["quantity"] in ("voidFraction", "velocity")]
@@ -143,18 +131,15 @@ def drag():
         deviation = [r for r in table if r["quantity"] == "pressureDeviation"][0]
         right.errorbar([float(deviation["rms"])], [k], xerr=[float(deviation["ci95"])],
                        color=COLOURS[k], marker=MARKS[k], capsize=2)
-    left.axhline(1.0, color="#777777", lw=0.8)
+    left.axhline(1.0, color=GREY, lw=0.8)
     left.set_ylim(0)
-    left.set_xticks(range(len(profiles)))
-    left.set_xticklabels(["%s\n%g mm" % ({"voidFraction": "void fraction"}.get(r["quantity"], "velocity"),
-                                        float(r["height_mm"])) for r in profiles], fontsize=8)
+    left.set_xticks(range(len(profiles)), ["%s\n%g mm" % (
+        {"voidFraction": "void fraction"}.get(r["quantity"], "velocity"), float(r["height_mm"])) for r in profiles])
     left.set_ylabel("difference from the measurement\nover that of a flat profile")
-    left.legend(fontsize=8)
-    right.set_yticks(range(len(laws)))
-    right.set_yticklabels(laws)
+    legend(left, 5)
+    right.set_yticks(range(len(laws)), laws)
     right.invert_yaxis()
-    right.set_xlabel("standard deviation of\nthe pressure drop, Pa")
-    figure.tight_layout()
+    right.set_xlabel("standard deviation of\nthe pressure drop [Pa]")
     save(figure, "drag")
 
 

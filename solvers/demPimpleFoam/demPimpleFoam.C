@@ -60,15 +60,12 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
-#include "emptyFvPatch.H"
-#include "demCloud.H"
 #include "demDrivingForce.H"
 #include "demFiles.H"
 #include "demFluid.H"
 #include "demMeshCheck.H"
+#include "demRun.H"
 #include "demTimeStepControl.H"
-#include "demSettle.H"
-#include "demStop.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -85,33 +82,15 @@ int main(int argc, char *argv[])
     (
         "Transient incompressible flow coupled with particles (CFD-DEM)"
     );
-
-    argList::addBoolOption
-    (
-        "plan",
-        "Print the plan of the run (effects, time steps, cost), then stop"
-    );
-    argList::addBoolOption
-    (
-        "settle",
-        "Settle the particles of insert in the walls of the mesh, without the"
-        " fluid, until they rest; write the snapshot for start, then stop"
-    );
+    demRun::addOptions();
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
-    // A plan writes no files: no function objects
-    if (args.found("plan"))
-    {
-        runTime.functionObjects().off();
-    }
-
+    demRun run(args, runTime);
     #include "createDynamicFvMesh.H"
 
-    if (args.found("settle"))
+    if (run.settle(mesh))
     {
-        demSettle(mesh).run();
-        Info<< "End\n" << endl;
         return 0;
     }
 
@@ -122,32 +101,15 @@ int main(int argc, char *argv[])
     #include "createTimeControls.H"
     #include "createFields.H"
 
-    Info<< "\nStarting time loop\n" << endl;
-
     demTimeStepControl stepControl(runTime, cloud);
-    // A plan takes no lock of the case, so it may run beside a run
-    autoPtr<demStop> stop(args.found("plan") ? nullptr : new demStop(runTime));
-    bool planned = false;
+    run.begin();
 
     while (runTime.run())
     {
         #include "readTimeControls.H"
         #include "CourantNo.H"
         #include "setParticleDeltaT.H"
-
-        if (!planned)
-        {
-            cloud.plan
-            (
-                U, gradP, rho, mu(), stepLimit, maxCo, stepReached, stepReachedBy
-            );
-            planned = true;
-        }
-        if (args.found("plan"))
-        {
-            #include "checkSchemes.H"
-            break;
-        }
+        #include "planStep.H"
 
         ++runTime;
 
@@ -160,53 +122,29 @@ int main(int argc, char *argv[])
         cloud.evolve(U, gradP, rho, mu());
         #include "fluidEquations.H"
         #include "continuity.H"
-        cloud.correct(U, gradP);
+        cloud.correct
+        (
+            U,
+            gradP,
+            rho,
+            rhoFluid.value()*gSum((mesh.V().field()*voidFraction.primitiveField()*U.primitiveField())())
+        );
         if (temperature)
         {
             temperature->correct();
         }
         if (cloud.budget().table().on())
         {
-            budget.endStep
-            (
-                p,
-                (
-                    toCells(netForcef)().primitiveField()
-                  + remainder.primitiveField()
-                  + D.primitiveField()
-                   *(Us.primitiveField() - U.primitiveField())
-                )(),
-                (
-                    sourceS
-                  ? gSum((mesh.V()*(sourceS() - sourceR()*U)().primitiveField())())
-                  : vector::zero
-                ),
-                cloud.budget().toFluid(),
-                dsdt
-            );
+            List<fluidBudget::force> known(1, fluidBudget::force("sources", vector::zero));
+            if (sourceS)
+            {
+                known[0].second() = gSum((mesh.V()*(sourceS() - sourceR()*U)().primitiveField())());
+            }
+            #include "endBudget.H"
         }
-
-        if (!stop->atStepEnd(runTime))
-        {
-            runTime.write();
-        }
-        if (runTime.writeTime())
-        {
-            cloud.write();
-        }
-        runTime.printExecutionTime(Info);
+        run.endStep(cloud);
     }
-
-    if (args.found("plan") && !planned)
-    {
-        FatalErrorInFunction
-            << "There is nothing to plan: the run begins at "
-            << runTime.timeName() << " s and ends at "
-            << runTime.endTime().value() << " s; raise endTime, or begin"
-            << " earlier (startFrom in system/controlDict)"
-            << exit(FatalError);
-    }
-    Info<< "End\n" << endl;
+    run.end();
 
     return 0;
 }

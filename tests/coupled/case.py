@@ -229,6 +229,8 @@ functions {{ {functions} }}""")
         log.<command>, or in `log`; returns a Run."""
         name = log or "log." + command[0]
         command = [str(word) for word in command]
+        if command[0] == "decomposePar":              # docs/openfoam-versions.md
+            env = {"FOAM_SIGFPE": "false", **(env or {})}
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), *options, *command, "-parallel"]
         with open(self/name, "w") as out:

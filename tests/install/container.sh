@@ -64,8 +64,14 @@ run_recipe()
         WORKDIR) mkdir -p "$tree$rest" ;;
         esac
     done < <(sed -e ':a;/\\$/{N;s/\\\n *//;ba}' "$recipe" | grep -E '^[A-Z]+ ')
-    chroot "$tree" env -i "${environment[@]}" bash -c "$("$python" -c '
-import json, sys; print(json.loads(sys.argv[1])[2])' "$(line ENTRYPOINT)")" suna demPimpleFoam -help
+    enter=(chroot "$tree" env -i "${environment[@]}" bash -c "$("$python" -c '
+import json, sys; print(json.loads(sys.argv[1])[2])' "$(line ENTRYPOINT)")" suna)
+    "${enter[@]}" demPimpleFoam -help
+}
+# the bed of ./Allrun, a short form: its table of profiles is new
+runs_bed()
+{
+    "${enter[@]}" /opt/suna/Allrun -test < /dev/null && tail -n 5 "$work/log" | grep -q "/opt/suna/tutorials/muellerBed/.*csv"
 }
 
 if ! thorough
@@ -77,5 +83,6 @@ then
 else
     claim "a fresh Debian" quiet debian_in "$work/debian"
     claim "the lines of the Dockerfile run in it, and its demPimpleFoam" quiet run_recipe "$work/debian"
+    claim "Allrun in it" quiet runs_bed
     umount "$work/debian/proc" 2> /dev/null
 fi

@@ -24,7 +24,7 @@ Without a comment a block is recognised:
     commands    each program exists, and each option is in its -help or in its text
     printed     fenced: of each line, three words in a row (twice two) are in a message of the
                 sources
-    formula     indented: not looked up
+    formula     indented, or fenced as math: not looked up; html_pages.py reads those of math
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -329,6 +329,8 @@ class Manual:
             return "controlDict", ""
         if not block.language and self.is_shell(block):
             return "commands", ""
+        if block.language == "math":
+            return "formula", ""
         if block.language:
             raise Wrong("say in a comment before the block how it is run")
         return ("printed" if block.fenced else "formula"), ""

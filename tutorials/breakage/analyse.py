@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from dem_case import OURS, REFERENCE, Result, interval, panel, pictures, plt, read_table, \
+from dem_case import OURS, POINTS, REFERENCE, Result, interval, panel, panels, pictures, read_table, \
     render, save, store     # noqa: E402
 
 
@@ -36,13 +36,13 @@ def residual(folder):
 def draw(speed):
     """A ball at four instants, cut in half."""
     shown = pictures(f"runs/{speed:g}.1")
-    panels = []
+    instants = []
     for k in (0, 2, 4, 12):
         time, path = shown[k]
         p = panel(f"{1e3*time:.2g} ms", path)
         half = p.position[:, 1] > 0
-        panels.append(render.Panel(p.title, *(x[half] for x in p[1:])))
-    render.draw("ball.png", panels, render.box((-0.012, 0, 0), (0.012, 0.006, 0.0125)), "speed",
+        instants.append(render.Panel(p.title, *(x[half] for x in p[1:])))
+    render.draw("ball.png", instants, render.box((-0.012, 0, 0), (0.012, 0.006, 0.0125)), "speed",
                 speed)
 
 
@@ -63,20 +63,20 @@ def main():
     rows = numpy.array(rows)
     # the straight part over the logarithm: neither a few bonds nor nearly all
     straight = rows[(rows[:, 1] > 0.05) & (rows[:, 1] < 0.7)]
-    figure, axes = plt.subplots(figsize=(5, 3.4))
-    axes.errorbar(rows[:, 0], rows[:, 1], numpy.nan_to_num(rows[:, 2]), fmt="s", ms=4, capsize=3,
-                  color=OURS, label="Suna")
+    figure, (axes,) = panels(1, 5.5)
+    axes.errorbar(rows[:, 0], rows[:, 1], numpy.nan_to_num(rows[:, 2]), marker="s", color=OURS,
+                  label="Suna, mean and 95 % interval", **POINTS)
     if len(straight) > 1:
         slope, at_one = numpy.polyfit(numpy.log(straight[:, 0]), straight[:, 1], 1)
         v = numpy.geomspace(rows[0, 0], rows[-1, 0], 50)
         line = at_one + slope*numpy.log(v)
         axes.plot(v[line > 0], line[line > 0], color=REFERENCE, lw=1,
-                  label=f"{slope:.2f} ln(v/{numpy.exp(-at_one/slope):.2g} m/s)")
+                  label=f"fit: {slope:.2f} ln(v / {numpy.exp(-at_one/slope):.2g} m/s)")
         result.add("slope of the damage over ln v", "straight part", None, slope, None, "1")
         result.add("speed at which it begins", "straight part", None, numpy.exp(-at_one/slope), None,
                    "m/s")
     result.write()
-    axes.set(xscale="log", xlabel="speed [m/s]", ylabel="broken bonds / bonds", ylim=(0, None),
+    axes.set(xscale="log", xlabel="speed v of the impact [m/s]", ylabel="damage: broken bonds over all bonds", ylim=(0, None),
              xticks=rows[:, 0], xticklabels=[f"{v:g}" for v in rows[:, 0]])
     axes.minorticks_off()
     axes.legend()

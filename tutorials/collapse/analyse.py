@@ -19,8 +19,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OTHER, OURS, REFERENCE, Result, interval, panel, pictures, plt, \
-    read_vtp, render, save, store
+from dem_case import OTHER, OURS, POINTS, REFERENCE, Result, below, interval, panel, panels, pictures, \
+    plain_ticks, read_vtp, render, save, shades, store
 
 D, WIDTH, LENGTH = 2e-3, 0.01, 0.032
 
@@ -52,12 +52,12 @@ def draw(runs):
     kind, a = max(runs)
     start = pictures(f"runs/settle.{kind}.{a:g}.1")[-1]
     shown = pictures(f"runs/{kind}.{a:g}.1")
-    panels = [panel(f"{time - start[0]:.2f} s", path)
-              for time, path in (start, *shown[:2], shown[-1])]
-    length = max(p.position[:, 0].max() for p in panels)
-    top = panels[0].position[:, 2].max()
-    render.draw("column.png", panels, render.box((0, 0, 0), (length, WIDTH, top)), "speed",
-                numpy.sqrt(9.81*top), width=7, rows=len(panels), pixels=900)
+    instants = [panel(f"{time - start[0]:.2f} s", path)
+                for time, path in (start, *shown[:2], shown[-1])]
+    length = max(p.position[:, 0].max() for p in instants)
+    top = instants[0].position[:, 2].max()
+    render.draw("column.png", instants, render.box((0, 0, 0), (length, WIDTH, top)), "speed",
+                numpy.sqrt(9.81*top), width=7, rows=len(instants), pixels=900)
 
 
 def lajeunesse(a):
@@ -66,6 +66,51 @@ def lajeunesse(a):
 
 def lube(a):
     return numpy.where(a < 1.8, 1.2*a, 1.9*a**(2/3))
+
+
+def lube_height(a):
+    return numpy.where(a < 1.15, a, 0.65*a**0.4)
+
+
+def profile(runs):
+    """The deposit's mean height over all seeds and over four slices: slices of one bead scatter."""
+    length = max(len(h) for _, _, _, (_, h) in runs)
+    mean = numpy.mean([numpy.pad(h, (0, length - len(h))) for _, _, _, (_, h) in runs], axis=0)
+    mean = numpy.pad(mean, (0, -length % 4)).reshape(-1, 4).mean(axis=1)
+    return (4*numpy.arange(len(mean)) + 2)*D, mean
+
+
+def draw_scalings(points, found, picture):
+    figure, (left, right, deposit) = panels(3, 12)
+    # each law up to its kink and from there on
+    for axes, law, kink, dashes, label in (
+            (left, lajeunesse, 3, "-", "glass beads, Lajeunesse et al. 2005"),
+            (left, lube, 1.8, "--", "sand, rice, sugar, Lube et al. 2005"),
+            (right, lube_height, 1.15, "--", "sand, rice, sugar, Lube et al. 2005")):
+        for part, a in enumerate((numpy.geomspace(0.3, 0.999*kink), numpy.geomspace(kink, 10))):
+            axes.loglog(a, law(a), color=REFERENCE, ls=dashes, lw=1.2, label=None if part else label)
+    for kind, colour, label in (("free", OURS, "Suna, mean of three seeds, 95 % interval"),
+                                ("rolling", OTHER, "Suna with resistance to rolling, 95 % interval")):
+        if kind in points:
+            # a seed alone has no interval
+            p = numpy.nan_to_num(numpy.array(points[kind]))
+            for axes, value, half in ((left, p[:, 1], p[:, 2]), (right, p[:, 3], p[:, 4])):
+                axes.errorbar(p[:, 0], value, half, marker="o", color=colour, label=label, **POINTS)
+    left.set(xlabel="aspect ratio a: height over length L", ylabel="run-out over length L")
+    right.set(xlabel="aspect ratio a: height over length L", ylabel="final height over length L")
+    plain_ticks(left.yaxis, (0.5, 1, 2, 5, 10))
+    plain_ticks(right.yaxis, (0.3, 0.5, 1, 1.5))
+    for axes in (left, right):
+        plain_ticks(axes.xaxis, (0.5, 1, 2, 4, 8))
+    shown = [runs for (kind, _), runs in sorted(found.items()) if kind == min(points, default="free")]
+    for runs, colour in zip(shown, shades(len(shown))):
+        x, h = profile(runs)
+        deposit.plot(x/LENGTH, h/LENGTH, color=colour, label=f"a = {numpy.mean([r[0] for r in runs]):.2g}")
+    deposit.set(xlabel="distance from the back wall over L", ylabel="height of the deposit over L",
+                xlim=(0, None), ylim=(0, None))
+    deposit.legend()
+    below(figure, left, columns=3)
+    save(figure, picture)
 
 
 def main():
@@ -98,34 +143,8 @@ def main():
             result.add("exponent of H_end/L", f"{name} a >= 1", 0.4, *interval(slopes[1]), "1")
     result.write()
 
-    figure, (left, right, deposit) = plt.subplots(1, 3, figsize=(12, 3.4))
-    a = numpy.geomspace(0.3, 10, 200)
-    left.loglog(a, lajeunesse(a), color=REFERENCE, label="glass beads, Lajeunesse et al. 2005")
-    left.loglog(a, lube(a), color=REFERENCE, ls="--", label="sand, rice, sugar, Lube et al. 2005")
-    right.loglog(a, numpy.where(a < 1.15, a, 0.65*a**0.4), color=REFERENCE, ls="--",
-                 label="Lube et al. 2005")
-    for kind, colour, label in (("free", OURS, "Suna, spheres"),
-                                ("rolling", OTHER, "Suna, with resistance to rolling")):
-        if kind in points:
-            # a seed alone has no interval
-            p = numpy.nan_to_num(numpy.array(points[kind]))
-            left.errorbar(p[:, 0], p[:, 1], p[:, 2], fmt="o", ms=4, capsize=3, color=colour,
-                          label=label)
-            right.errorbar(p[:, 0], p[:, 3], p[:, 4], fmt="o", ms=4, capsize=3, color=colour,
-                           label=label)
-    left.set(xlabel="a", ylabel="run-out (L_end - L)/L")
-    right.set(xlabel="a", ylabel="height H_end/L")
-    shown = min(points, default="free")
-    for (kind, a), runs in sorted(found.items()):
-        if kind == shown:
-            x, h = runs[0][3]
-            deposit.plot(x/LENGTH, h/LENGTH, label=f"a = {runs[0][0]:.2f}")
-    deposit.set(xlabel="x/L", ylabel="h/L")
-    for axes in (left, right, deposit):
-        axes.legend()
-    figure.tight_layout()
     picture = "rolling.png" if list(points) == ["rolling"] else "collapse.png"
-    save(figure, picture)
+    draw_scalings(points, found, picture)
     draw(found)
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], picture, "column.png", **({"name": "rolling", "result": "rolling.csv"}

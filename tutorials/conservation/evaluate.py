@@ -115,21 +115,27 @@ def lattice(table):
 
 def draw(rows):
     """Each deviation beside the one that is allowed."""
-    from style import OURS, REFERENCE, plt, save
+    from style import OURS, REFERENCE, below, panels, save
 
+    def kind(row):
+        what = re.sub(r"^largest |^the |(,| after \d| over [\d.]| in \d).*$", "", row["quantity"])
+        return row["part"].split(",")[0] + ": " + what
     rows = [row for row in rows if row["allowed"]]
-    figure, axes = plt.subplots(figsize=(7, 0.4 + 0.13*len(rows)))
-    place = numpy.arange(len(rows))
-    axes.plot([max(abs(float(row["difference"])), 1e-17) for row in rows], place, "o", ms=4,
-              color=OURS, label="Suna")
-    axes.plot([float(row["allowed"]) for row in rows], place, "|", ms=8, mew=1.5, color=REFERENCE,
-              label="allowed")
-    groups = [row["part"].split(",")[0] for row in rows]
-    first = [k for k in range(len(rows)) if k == 0 or groups[k] != groups[k - 1]]
-    axes.set(xscale="log", xlabel="deviation from what must hold (0 is drawn at 1e-17)",
-             yticks=first, yticklabels=[groups[k] for k in first])
+    kinds = list(dict.fromkeys(map(kind, rows)))
+    figure, (axes,) = panels(1, 8, 0.9 + 0.32*len(kinds))
+    for k, name in enumerate(kinds):
+        own = [row for row in rows if kind(row) == name]
+        # rows of one kind a little above each other
+        place = k + 0.5*((numpy.arange(len(own)) + 0.5)/len(own) - 0.5)
+        axes.plot([max(abs(float(row["difference"])), 1e-17) for row in own], place, "o", ms=4.5, color=OURS,
+                  label="Suna, one case each")
+        axes.plot([float(row["allowed"]) for row in own], place, "|", ms=8, mew=1.5, color=REFERENCE,
+                  label="allowed")
+    axes.set(xscale="log", xlabel="deviation (0 stands at 1e-17)",
+             yticks=range(len(kinds)))
+    axes.set_yticklabels(kinds)
     axes.invert_yaxis()
-    axes.legend(loc="lower left")
+    below(figure)
     save(figure, HERE/"deviations.png")
 
 

@@ -23,8 +23,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OURS, REFERENCE, Result, interval, panel, pictures, plt, read_table, \
-    render, save, store
+from dem_case import GREY, MEASURED, OURS, POINTS, Result, below, interval, panel, panels, pictures, \
+    plain_ticks, read_table, render, save, store
 
 G = 9.81
 
@@ -166,38 +166,42 @@ def draw():
                     width=4, pixels=600)
 
 
-def main():
-    result = Result()
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 3.8), width_ratios=(1.2, 1, 1))
-    if Path("runs/large").is_dir():
-        (y, measured), depths, profiles, found, angles, omega = large(result)
-        mean = profiles.mean(axis=0)
-        left.plot(measured, 1e3*y, "o", ms=4, mfc="none", color=REFERENCE,
-                  label="Alizadeh et al. 2013, particle tracking")
-        left.plot(mean, -1e3*depths, color=OURS, label="Suna")
-        left.plot(-omega*depths, -1e3*depths, color="0.6", lw=0.8, ls="--", label="with the drum")
-        left.set(xlabel="velocity down along the slope [m/s]", ylabel="position on the normal [mm]")
-        left.legend()
+def draw_profile(large_drum, rows):
+    figure, (left, middle, right) = panels(3, 12, 3.6, width_ratios=(1.2, 1, 0.8))
+    if large_drum:
+        (y, measured), depths, profiles, found, angles, omega = large_drum
+        left.plot(measured, 1e3*y, label="measured, particle tracking, Alizadeh et al. 2013", **MEASURED)
+        left.plot(profiles.mean(axis=0), -1e3*depths, color=OURS, label="Suna")
+        left.plot(-omega*depths, -1e3*depths, color=GREY, lw=1, ls="--", label="turning with the drum")
+        left.set(xlabel="velocity down along the slope [m/s]", ylabel="distance from the axis, normal\nto the surface [mm]")
         middle.grid(False)
         solid = numpy.mean([block.solid for block in found], axis=0)
-        middle.pcolormesh(1e3*found[0].x, 1e3*found[0].z, solid.T, cmap="Greys", vmin=0, vmax=0.7)
+        shade = middle.pcolormesh(1e3*found[0].x, 1e3*found[0].z, solid.T, cmap="Greys", vmin=0, vmax=0.7)
+        figure.colorbar(shade, ax=middle, label="solid fraction", shrink=0.7)
         middle.plot(*[120*f(numpy.linspace(0, 2*numpy.pi, 200)) for f in (numpy.cos, numpy.sin)],
-                    color="0.4", lw=1)
+                    color=GREY, lw=1)
         slope, at_axis = numpy.mean([block.surface(0.12) for block in found], axis=0)
         x = numpy.array([-60, 60])
-        middle.plot(x, 1e3*at_axis - numpy.tan(slope)*x, color=OURS,
-                    label=f"{numpy.degrees(slope):.1f} degrees")
-        middle.set(aspect="equal", xlabel="x [mm]", ylabel="z [mm]")
-        middle.legend(loc="upper right")
+        middle.plot(x, 1e3*at_axis - numpy.tan(slope)*x, color=OURS)
+        middle.set(aspect="equal", xlabel="x [mm]", ylabel="z [mm]",
+                   title=f"surface at {numpy.degrees(slope):.1f} degrees")
+    if len(rows):
+        right.errorbar(rows[:, 0], rows[:, 1], numpy.nan_to_num(rows[:, 2]), marker="s", color=OURS,
+                       label="Suna, drum of 100 mm, mean and 95 % interval", **POINTS)
+        right.set(xscale="log", xlabel="Froude number", ylabel="slope of the surface [degrees]")
+        plain_ticks(right.xaxis, rows[:, 0])
+    below(figure, columns=2)
+    save(figure, "drum.png")
+
+
+def main():
+    result = Result()
+    found = None
+    if Path("runs/large").is_dir():
+        found = large(result)
     rows = small(result)
     result.write()
-    if len(rows):
-        right.errorbar(rows[:, 0], rows[:, 1], numpy.nan_to_num(rows[:, 2]), fmt="s", ms=4,
-                       capsize=3, color=OURS, label="Suna, 100 mm")
-        right.set(xscale="log", xlabel="Froude number w$^2$R/g", ylabel="slope [degrees]")
-        right.legend()
-    figure.tight_layout()
-    save(figure, "drum.png")
+    draw_profile(found, rows)
     draw()
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], "drum.png", "bed.png")

@@ -160,23 +160,24 @@ def kernels(table):
 
 
 def draw(packings):
-    from style import plt, save
+    from style import GREY, OURS, REFERENCE, below, panels, save
 
-    figure, axis = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
+    figure, (axis,) = panels(1, 6, 3.8)
     for k, p in enumerate(packings):
-        up, down = p.branch(True), p.branch(False)
-        axis.plot(1e3*p.U[up], p.drop[up], "-", color=f"C{k}", lw=1, label=f"packing {k + 1}, up")
-        axis.plot(1e3*p.U[down], p.drop[down], "--", color=f"C{k}", lw=1, label="down")
+        for up, dashes, way in ((True, "-", "rising"), (False, "--", "falling")):
+            branch = p.branch(up)
+            axis.plot(1e3*p.U[branch], p.drop[branch], dashes, color=OURS, lw=1.2,
+                      label=None if k else f"Suna, {len(packings)} packings, {way} velocity")
     U = numpy.linspace(0, 0.02, 50)
     first = packings[0]
-    for k, mark in ((1, "k:"), (-2, "k-.")):
+    for k, dashes in ((1, "-"), (-2, "--")):
         void = first.void[k]
-        axis.plot(1e3*U, [layers(void, x) for x in U], mark, lw=1,
-                  label=f"Ergun, packing 1 at {first.at[k]:.2g} s, e inside {first.inner[k]:.3f}")
-    axis.axhline(first.weight, color="k", lw=0.7)
-    axis.set(xlabel="superficial velocity [mm/s]", ylabel="pressure drop [Pa]",
+        axis.plot(1e3*U, [layers(void, x) for x in U], dashes, color=REFERENCE, lw=1,
+                  label=f"Ergun's law, void fraction {first.inner[k]:.3f} (packing 1 at {first.at[k]:.2g} s)")
+    axis.axhline(first.weight, color=GREY, lw=1, label="weight of the bed over its area")
+    axis.set(xlabel="superficial velocity [mm/s]", ylabel="pressure drop [Pa]", xlim=(0, None),
              ylim=(0, 1.25*first.weight))
-    axis.legend(fontsize=7)
+    below(figure, columns=1)
     save(figure, HERE/"curve.png")
 
 

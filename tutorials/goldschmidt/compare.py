@@ -5,6 +5,7 @@ cost.
     compare.py WINDOW [-store "text"]    reads runs/WINDOW.CODE.STEPS.DELTAT, writes
                                          runs/result.WINDOW.csv and runs/WINDOW.png;
                                          with -store also stored/ and results.md
+    compare.py WINDOW -draw              stored/WINDOW.png from stored/result.WINDOW.csv
 
 CODE is dpm or suna, STEPS the steps in a contact, DELTAT the time step of the gas. The reference of
 each code is its run with most steps.
@@ -27,7 +28,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OURS, REFERENCE, plt, save
+from dem_case import OURS, REFERENCE, below, panels, plain_ticks, save
 from lagrangian import DENSITY, DIAMETER, read_state
 
 # of the gas, kg/m3; its pressure on the plate over rho in DPMFoam, m2/s2
@@ -35,6 +36,7 @@ RHO, OWN_WEIGHT = 1.2, 9.81*0.45
 MASS = DENSITY*numpy.pi/6*DIAMETER**3
 BOX = 0.015
 NAMES = {"dpm": "DPMFoam", "suna": "Suna"}
+LABELS = {"kinetic": "kinetic energy", "fluctuation": "energy of the\nfluctuation", "pressure": "pressure drop"}
 QUANTITIES = {"height": "m", "kinetic": "J", "fluctuation": "J", "pressure": "Pa"}
 
 
@@ -159,27 +161,47 @@ def verdicts(runs):
     yield f"change of the pressure from one gas step to the next, rms: DPMFoam {theirs.jump:.3g} Pa, Suna {ours.jump:.3g} Pa"
 
 
-def draw(runs, window):
-    figure, panels = plt.subplots(1, 4, figsize=(15, 3.3))
-    for axes, (name, unit) in zip(panels[:3], [(n, QUANTITIES[n])
-                                               for n in ("kinetic", "fluctuation", "pressure")]):
-        for code, colour in (("dpm", REFERENCE), ("suna", OURS)):
-            for run in (r for r in runs if r.code == code):
-                fine = run is finest(runs, code)
-                axes.plot(1e3*run.time, run.rows[name], color=colour, lw=1.8 if fine else 0.6,
-                          label=NAMES[code] if fine else None)
-        axes.set(xlabel="time [ms]", ylabel=f"{name} [{unit}]")
-    for code, colour, mark in (("dpm", REFERENCE, "o"), ("suna", OURS, "s")):
-        fine = finest(runs, code)
-        rest = [run for run in runs if run.code == code and run is not fine]
-        panels[3].loglog([run.processor for run in rest],
-            [100*max(run.errors(fine).values()) for run in rest], mark, color=colour, ms=5,
-            label=NAMES[code])
-    panels[3].set(xlabel="processor time [s]", ylabel="largest of four errors [%]")
-    panels[0].legend()
-    panels[3].legend()
-    figure.tight_layout()
-    save(figure, f"runs/{window}.png")
+def draw(rows, path):
+    """From the table: errors over processor time, and where the two codes end."""
+    if sum(row[-1] not in (None, "") for row in rows) > 2:
+        figure, (errors, ends) = panels(2, 10, 3.6, width_ratios=(1.3, 1))
+        draw_errors(errors, rows)
+        below(figure, errors, columns=4)
+    else:
+        figure, (ends,) = panels(1, 6, 2.2)
+    draw_ends(ends, rows)
+    save(figure, path)
+
+
+def draw_errors(errors, rows):
+    for code, colour, mark in (("DPMFoam", REFERENCE, "o"), ("Suna", OURS, "s")):
+        for delta, filled in ((2e-5, True), (1e-4, False)):
+            own = [row for row in rows if row[0] == code and row[2] == delta and row[-1] not in (None, "")]
+            if not own:
+                continue
+            worst = [100*max(map(float, row[-len(QUANTITIES):])) for row in own]
+            errors.loglog([float(row[3]) for row in own], worst, mark, ms=6, color=colour,
+                          mfc=colour if filled else "none", label=f"{code}, gas step {1e6*delta:g} µs")
+            for row, error in zip(own, worst):
+                errors.annotate(row[1], (float(row[3]), error), (3, 4), textcoords="offset points", fontsize=8,
+                                rotation=45)
+    errors.set(xlabel="processor time [s]", ylabel="largest error of four quantities [%]",
+               title="error against the code's finest run (numbers: steps in a contact)")
+    plain_ticks(errors.xaxis, (1, 2, 5, 10, 20, 50, 100))
+    errors.set_xlim(1, 100)
+
+
+def draw_ends(ends, rows):
+    fine = {code: next(row for row in rows if row[0] == code) for code in ("DPMFoam", "Suna")}
+    names = list(QUANTITIES)[1:]
+    ratio = [float(fine["Suna"][6 + k])/float(fine["DPMFoam"][6 + k]) for k in range(len(names))]
+    ends.barh([LABELS[name] for name in names], ratio, color=OURS, height=0.5)
+    for k, value in enumerate(ratio):
+        inside = value > 0.3
+        ends.annotate(f"{value:.2f}", (0 if inside else value, k), (6, 0), textcoords="offset points", va="center",
+                      color="white" if inside else "black")
+    ends.axvline(1, color=REFERENCE, lw=1.2)
+    ends.set(xlabel="Suna over DPMFoam (1), finest runs, at the end", xlim=(0, 1.4))
 
 
 def number(value):
@@ -211,6 +233,11 @@ def store(text, window, rows, sentences):
 
 def main():
     window = sys.argv[1]
+    if sys.argv[2:3] == ["-draw"]:
+        with open(f"stored/result.{window}.csv", newline="") as file:
+            rows = [[row[0], int(row[1]), float(row[2]), *row[3:]] for row in list(csv.reader(file))[1:]]
+        draw(rows, f"stored/{window}.png")
+        return
     runs = read_runs(window)
     rows, sentences = summarize(runs), list(verdicts(runs))
     with open(f"runs/result.{window}.csv", "w", newline="") as file:
@@ -223,7 +250,7 @@ def main():
               "  ".join(f"{n} {row[-1]:.6g} {QUANTITIES[n]}" for n, row in run.rows.items())
               + f"  {run.particle_steps} steps of the particles")
     print(table(rows), *sentences, sep="\n")
-    draw(runs, window)
+    draw(rows, f"runs/{window}.png")
     if sys.argv[2:3] == ["-store"]:
         store(sys.argv[3], window, rows, sentences)
 

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from dem_case import OURS, REFERENCE, Result, interval, plt, read_table, render, save, \
+from dem_case import MEASURED, OURS, Result, interval, panels, plt, read_table, render, save, \
     store     # noqa: E402
 import spheres     # noqa: E402
 
@@ -112,15 +112,14 @@ def main():
                "1")
     result.write()
 
-    figure, axes = plt.subplots(figsize=(5.6, 3.8))
+    figure, (axes,) = panels(1, 5.8, 3.8)
     for k, depth in enumerate(DEPTHS):
         time, value, _ = measured(depth)
-        axes.plot(time, value, ".", ms=3.5, color=REFERENCE,
-                  label="Beaulieu 2020, measured" if k == 0 else None)
+        axes.plot(time, value, label=None if k else "measured, Beaulieu 2020", **{**MEASURED, "ms": 3})
         for n, curve in enumerate(curves):
             axes.plot(curve[:, 0], curve[:, 1 + k], color=OURS, lw=1.3,
-                      label="Suna" if k == n == 0 else None)
-        axes.annotate(f"{1e3*depth:.0f} mm", (4040, finals[:, k].mean()), fontsize=8,
+                      label=None if k or n else f"Suna, {len(curves)} packing{'s'*(len(curves) > 1)}")
+        axes.annotate(f"{1e3*depth:.0f} mm deep", (4040, finals[:, k].mean()), fontsize=8,
                       va="center", annotation_clip=False)
     axes.set(xlabel="time since the lid is hot [s]", ylabel="temperature [°C]", xlim=(0, 4020),
              ylim=(19, 34.5))

@@ -126,25 +126,25 @@ def suspensions(table, points):
 
 
 def draw(points):
-    from style import plt, save
+    from style import below, panels, save, shades
 
-    figure, axis = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
+    figure, (axis,) = panels(1, 6.2, 4)
     e = numpy.linspace(0.48, 0.95, 60)
-    for k, d in enumerate(sorted({point[1] for point in points})):
+    sizes = sorted({point[1] for point in points})
+    for d, colour in zip(sizes, shades(len(sizes))):
         lone = speed(wen_yu, 1 - 1e-12, d)
-        axis.plot(e, [measured(x, d)[0]/lone for x in e], "-", color=f"C{k}", lw=1,
-                  label=f"Garside and Al-Dibouni, {1e3*d:g} mm")
-        for law, mark in (("wenYu", "o"), ("diFelice", "s"), ("wenYu, random", "x")):
-            mine = [(p[2], p[3]/lone, (p[4] or 0)/lone) for p in points if p[0] == law
+        axis.plot(e, [measured(x, d)[0]/lone for x in e], "-", color=colour, lw=1.2,
+                  label=f"measured, Garside and Al-Dibouni, {1e3*d:g} mm")
+        for law, mark, aside in (("wenYu", "o", 0), ("diFelice", "s", 0.006), ("wenYu, random", "x", -0.006)):
+            mine = [(p[2] + aside, p[3]/lone, (p[4] or 0)/lone) for p in points if p[0] == law
                     and p[1] == d]
             if mine:
                 x, y, error = zip(*mine)
-                axis.errorbar(x, y, error, fmt=mark, color=f"C{k}", ms=5, mfc="none", capsize=2)
-    axis.set(xlabel="void fraction", ylabel="settling speed over that of a lone sphere",
-             yscale="log")
-    axis.set_title("circles Wen and Yu, squares Di Felice, crosses random with Wen and Yu",
-                   fontsize=9)
-    axis.legend(fontsize=7)
+                axis.errorbar(x, y, error, fmt=mark, color=colour, ms=5, mfc="none", capsize=2)
+    for law, mark in (("lattice, wenYu", "o"), ("lattice, diFelice", "s"), ("random suspension, wenYu", "x")):
+        axis.plot([], [], mark, color="k", mfc="none", label="Suna, " + law)
+    axis.set(xlabel="void fraction", ylabel="settling speed over that of one sphere alone", yscale="log")
+    below(figure, columns=2)
     save(figure, HERE/"speeds.png")
 
 

@@ -3,37 +3,42 @@ temperature.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import re
+
 import numpy
 
 import evaluate
 import render           # of muellerBed, in the path by results, like style
-from style import COLOURS, OURS, OTHER, REFERENCE, plt, save
+from style import COLOURS, GREY, OTHER, OURS, POINTS, REFERENCE, below, panels, plt, save
 
 ZERO = 273.15
-LOOKS = {"wakao": (OURS, "o"), "gunn": (OTHER, "s"), "ranzMarshall": (COLOURS[3], "^")}
+LOOKS = {"wakao": (OURS, "o", "Suna, wakao"), "gunn": (OTHER, "s", "Suna, gunn"),
+         "ranzMarshall": (COLOURS[3], "^", "Suna, ranzMarshall"),
+         "wakao, conduction": ("black", "x", "Suna, wakao and conduction")}
 HEAT = plt.get_cmap("autumn_r")
 
 
-def draw_nusselt(case, found, lifting):
-    sizes = sorted({ds for _, ds, _, _ in found})
-    figure, places = plt.subplots(1, len(sizes), figsize=(8, 3.4))
-    for axes, ds in zip(places, sizes):
-        run = found[0][0]
-        speed = numpy.linspace(0.4, 1.02*max(row[0].speed for row in found)/lifting, 200)
-        axes.plot(speed, evaluate.measured(numpy.minimum(speed, 1)*lifting, ds, run.db, run.nu), "-",
-                  color=REFERENCE, lw=1.5, label="measured, Collier et al. 2004")
-        for law, (colour, mark) in LOOKS.items():
-            rows = [row for row in found if row[1] == ds and row[0].law == law and row[0].plain]
-            axes.errorbar([row[0].speed/lifting for row in rows], [row[2] for row in rows],
-                          [row[3] or 0 for row in rows], fmt=mark, color=colour, ms=4.5, capsize=2, lw=1,
-                          label=f"Suna, {law}")
-        rows = [row for row in found if row[1] == ds and row[0].conducts]
-        axes.plot([row[0].speed/lifting for row in rows], [row[2] for row in rows], "x", color="black",
-                  ms=7, label="Suna, wakao and conduction")
-        axes.axvline(1, color="0.7", lw=0.8, zorder=0)
-        axes.set(xlabel="U/Umf", ylabel="Nu", ylim=(0, None), title=f"spheres of {1e3*ds:g} mm")
-    places[-1].legend(loc="lower right", fontsize=7)
-    figure.tight_layout()
+def draw_nusselt(case, rows):
+    """Rows of the table "Nu of 2 mm at 0.50 Umf"; their reference is the measured law."""
+    found = {}
+    for row in rows:
+        named = re.fullmatch(r"Nu of (\S+) mm at (\S+) Umf", row["quantity"])
+        if named and row["part"] in LOOKS:
+            found.setdefault(float(named[1]), {}).setdefault(row["part"], []).append(
+                [float(named[2]), *(float(row[name] or 0) for name in ("ours", "ci95", "reference"))])
+    figure, places = panels(len(found), 9)
+    for axes, (size, parts) in zip(places, sorted(found.items())):
+        # the law, 2 + c U^0.62, from the largest value; above Umf it is constant
+        speed, top = numpy.linspace(0.4, 2.05, 200), max(row[3] for row in parts["wakao"])
+        axes.plot(speed, 2 + (top - 2)*numpy.minimum(speed, 1)**0.62, color=REFERENCE, label="measured, Collier et al. 2004")
+        for part, own in parts.items():
+            colour, mark, label = LOOKS[part]
+            at, value, half, _ = numpy.array(own).T
+            axes.errorbar(at, value, half, marker=mark, color=colour, label=label, **POINTS)
+        axes.axvline(1, color=GREY, lw=0.8, zorder=0)
+        axes.set(xlabel="superficial velocity over minimum fluidisation", ylabel="Nusselt number", ylim=(0, None),
+                 title=f"hot spheres of {size:g} mm")
+    below(figure, columns=3)
     save(figure, case/"nusselt.png")
 
 

@@ -346,7 +346,7 @@ def main():
         return
     with results.pictures():
         import draw
-        draw.draw_nusselt(HERE, found, lifting)
+        draw.draw_nusselt(HERE, table.rows)
         draw.draw_bed(HERE, runs)
 
 

@@ -1,12 +1,19 @@
 """plots.py -- profiles with the measured points, the pressure over time, and pictures of the bed.
 
+    plots.py stored measured            stored/profiles.png from the tables there and the measured points
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
 import numpy
 
 import frames
 import render
-from style import OURS, REFERENCE as MEASURED, plt, save
+from style import OURS, REFERENCE as MEASURED, below, plt, save
 
 COLUMN = (0.044, 0.010, 0.085)                      # m, what is shown of it
 
@@ -21,8 +28,8 @@ def draw_profiles(case, profiles, centres):
         axes.plot(1e3*centres, p.profile, color=OURS, lw=1.8)
         axes.plot(1e3*p.measured[0], p.measured[1], "o", ms=4, mfc="none", color=MEASURED)
         name = "void fraction" if p.quantity == "voidFraction" else "vertical velocity [m/s]"
-        axes.set(xlabel="x [mm]", xlim=(0, 44))
-        axes.set_title(f"{name} at {p.height:g} mm", loc="left", fontsize=9.5)
+        axes.set(xlabel="distance from the left wall [mm]", ylabel=name, xlim=(0, 44))
+        axes.set_title(f"{p.height:g} mm above the plate", fontsize=9.5)
         axes.set_title(f"rms {p.rms:.3f}", loc="right", fontsize=8.5, color="0.35")
     for axes in panels[0, :2]:
         axes.set_ylim(0.3, 0.9)
@@ -48,7 +55,7 @@ def draw_pressure(case, balance):
     low, high = numpy.percentile(drop, [0.5, 99.5])
     axes.set(xlabel="time [s]", ylabel="pressure drop [Pa]", xlim=(time[0], time[-1]),
              ylim=(min(0, 1.1*low), 1.15*max(high, balance.weight)))
-    axes.legend(loc="upper right", ncols=2, fontsize=8)
+    below(figure)
     save(figure, case/"pressure.png")
 
 
@@ -77,3 +84,26 @@ def draw_all(case, profiles, centres, balance):
     chosen = sorted({max(0, len(listed) - 1 - back) for back in (12, 8, 4, 0)})
     draw_bed(case, [listed[k] for k in chosen])
     draw_motion(case, listed[-24:])
+
+
+def read_tables(folder, measured):
+    """Profiles of a run from its profiles.csv and result.csv, with the measured points; and the centres of
+    their boxes [m]."""
+    with open(folder/"result.csv", newline="") as file:
+        rms = {(row["quantity"], row["height_mm"]): float(row["rms"]) for row in csv.DictReader(file)}
+    found = {}
+    with open(folder/"profiles.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            found.setdefault((row["quantity"], row["height_mm"]), []).append(
+                [1e-3*float(row["x_mm"]), float(row["value"]), float(row["ci95"])])
+    profiles = []
+    for (quantity, height), rows in found.items():
+        centres, profile, interval = numpy.array(rows).T
+        points = numpy.loadtxt(measured/f"{quantity}_{float(height):g}mm.csv", delimiter=",", skiprows=2).T
+        profiles.append(SimpleNamespace(quantity=quantity, height=float(height), rms=rms[quantity, height],
+                                        profile=profile, interval=interval, measured=points))
+    return profiles, centres
+
+
+if __name__ == "__main__":
+    draw_profiles(Path(sys.argv[1]), *read_tables(*map(Path, sys.argv[1:3])))

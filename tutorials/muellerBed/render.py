@@ -13,6 +13,7 @@ from style import SIGNED, SPEEDS, image, plt, save
 # position, velocity: n x 3 [m], [m/s]; diameter: n [m]
 Panel = namedtuple("Panel", "title position velocity diameter")
 
+PLAIN = {"plain": 0.4, "dark": 0.05}     # places on the scale SIGNED
 FRONT = (0.22, 1, -0.2)         # view from the front, a little from above and the left
 
 
@@ -27,9 +28,9 @@ def box(low, high):
 
 def colours(panel, quantity, top):
     """Red, green, blue of each particle: of `vertical` velocity or of `speed`, `top` [m/s] at the
-    end of the colours; one colour for `plain`."""
-    if quantity == "plain":
-        return numpy.tile(SIGNED(0.4)[:3], (len(panel.position), 1))
+    end of the colours; one colour for `plain` and `dark`."""
+    if quantity in PLAIN:
+        return numpy.tile(SIGNED(PLAIN[quantity])[:3], (len(panel.position), 1))
     if quantity == "vertical":
         return SIGNED(0.5 + 0.5*numpy.clip(panel.velocity[:, 2]/top, -1, 1))[:, :3]
     return SPEEDS(numpy.clip(numpy.linalg.norm(panel.velocity, axis=1)/top, 0, 1))[:, :3]
@@ -76,7 +77,7 @@ def figure(panels, lines, quantity, top, towards=FRONT, width=2.7, pixels=500, r
         axes.set_title(panel.title, fontsize=9, y=0.97)
     for axes in places.flat:
         axes.axis("off")
-    if quantity == "plain":
+    if quantity in PLAIN:
         return drawn
     signed = quantity == "vertical"
     bar = drawn.colorbar(plt.cm.ScalarMappable(plt.Normalize(-top if signed else 0, top),

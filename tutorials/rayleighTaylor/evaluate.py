@@ -114,15 +114,19 @@ def main():
 
 
 def draw(curves):
-    from style import plt, save
+    from style import GREY, below, panels, save
 
-    figure, axis = plt.subplots(figsize=(6.5, 4.5), layout="constrained")
+    figure, (axis,) = panels(1, 6, 3.8)
     for n, (part, time, wave, rate, start) in enumerate(curves):
-        axis.semilogy(time, wave, "o", ms=3, color=f"C{n}", label=part)
-        axis.semilogy(time, start*numpy.cosh(rate*time), "-", color=f"C{n}", lw=1)
-    axis.axhline(0.5, color="k", lw=0.5)
-    axis.set(xlabel="t [s]", ylabel="k a", ylim=(0.04, 3), title="points: beads, lines: theory")
-    axis.legend(fontsize=7)
+        length, share = re.fullmatch(r"wave of (\S+) mm, solid's share (\S+)", part).groups()
+        axis.semilogy(time, wave, "o", ms=3.5, mfc="none", color=f"C{n}",
+                      label=f"Suna, wavelength {length} mm, solid fraction {share}")
+        axis.semilogy(time, start*numpy.cosh(rate*time), "-", color=f"C{n}", lw=1.2)
+    axis.plot([], [], "-", color="k", lw=1.2, label="linear theory (lines)")
+    axis.axhline(0.5, color=GREY, lw=0.8)
+    axis.annotate("end of the fit", (0, 0.5), (0, 3), textcoords="offset points", fontsize=8, color=GREY)
+    axis.set(xlabel="time [s]", ylabel="amplitude times wavenumber", ylim=(0.04, 1.2))
+    below(figure, columns=1)
     save(figure, HERE/"growth.png")
 
 
@@ -133,9 +137,7 @@ def draw_suspension(case, length):
     listed = frames.list_frames(case)
     shown = [listed[round(k*(len(listed) - 1)/3)] for k in range(4)]
     panels = [render.Panel(f"{time:.2f} s", *frames.read_frame(*place)) for time, *place in shown]
-    top = max(abs(p.velocity[:, 2]).max() for p in panels)
-    render.draw(HERE/"suspension.png", panels, render.box((0, 0, 0), (length, 0, length)),
-                "vertical", top, towards=(0, 1, 0), pixels=700)
+    render.draw(HERE/"suspension.png", panels, render.box((0, 0, 0), (length, 0, length)), "dark", 1, towards=(0, 1, 0), pixels=700)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OTHER, OURS, REFERENCE, Result, pictures, plt, read_vtp, save, store, student
+from dem_case import GREY, MEASURED, OTHER, OURS, REFERENCE, Result, below, panels, pictures, read_vtp, \
+    save, store, student
 
 BEST = 0.97                                         # e_max, of the contact without liquid
 # Re of the impact, St: diameter [m], density and viscosity of the liquid, speed [m/s]
@@ -99,6 +100,49 @@ def measured_impacts():
     return numpy.array(found)
 
 
+LOOKS = {"stokesDamping": (OURS, "s", "Suna, law of contact"),
+         "instantaneous": (GREY, "v", "Suna, speed of the moment (LIGGGHTS)"),
+         "film": (OTHER, "^", "Suna, film of roughness 1e-4 R"), "rough": (OTHER, "<", "Suna, film of 1e-3 R"),
+         "acts": (OTHER, "x", "Suna, film of 1e-4 R that acts on in contact")}
+
+
+def draw_restitution(axes, measured, computed):
+    st = numpy.geomspace(4, 1100, 300)
+    for k, (low, high, bottom, top) in enumerate(BANDS):
+        axes.fill_between([low, high], bottom, top, color=REFERENCE, alpha=0.2, lw=0,
+                          label=None if k else "measured: Gondret 2002, Joseph 2001 (bands)")
+    axes.errorbar(measured[:, 0], measured[:, 1]/BEST, measured[:, 2]/BEST, capsize=3, lw=1,
+                  label="from measured flights, 95 % interval", **MEASURED)
+    axes.plot(st, numpy.exp(-35/st), color=OURS, lw=1, label="exp(-35/St), Legendre et al. 2006")
+    axes.plot(st, numpy.maximum(1 - (1/BEST + 1)*numpy.log(1e3)/st, 0), color=OTHER, lw=1,
+              label="closed form of the film")
+    for form, (colour, mark, label) in LOOKS.items():
+        points = [(x, e) for x, e in computed.get(form, [])]
+        if Path(f"runs/twelve.{form}").is_dir():
+            before, after = speeds(f"runs/twelve.{form}")
+            points += list(zip(-7800*6e-3*before/0.9, numpy.maximum(-after/before, 0)))
+        if points:
+            x, e = numpy.array(points).T
+            axes.plot(x, e/BEST, mark, ms=5, mfc="none", color=colour, label=label)
+    axes.set(xscale="log", xlabel="Stokes number St", ylabel=r"restitution $e/e_{\max}$", ylim=(-0.02, 1.05))
+
+
+def draw(measured, computed, flights):
+    figure, (curve, early, late) = panels(3, 12, 3.6, width_ratios=(1.4, 1, 1))
+    draw_restitution(curve, measured, computed)
+    for axes, st in ((early, 27), (late, 152)):
+        t, h = numpy.loadtxt(f"measured/St{st}.csv", delimiter=",", skiprows=2).T
+        axes.plot(1e3*t, 1e3*h, label="measured flight, Gondret et al. 2002", **{**MEASURED, "ms": 3.5})
+        for form, colour, text in (("bounce", OURS, "Suna, law of contact (line)"),
+                                   ("bounceFilm", OTHER, "Suna, film of 1e-4 R (line)")):
+            if (form, st) in flights:
+                axes.plot(1e3*flights[form, st][0], 1e3*flights[form, st][1], color=colour, label=text)
+        axes.set(xlabel="time since the impact [ms]", ylabel="height above the plate [mm]",
+                 xlim=(-10, 1.1e3*t.max()), ylim=(-0.1, 1.8e3*h[t > 0].max()), title=f"flight at St {st}")
+    below(figure, columns=3)
+    save(figure, "rebound.png")
+
+
 def main():
     result = Result()
     law = lambda st: BEST*numpy.exp(-35/st)
@@ -148,49 +192,7 @@ def main():
                        1e3*h[(t > 0) & (t < until)].max(), None, "mm")
     result.write()
 
-    figure, panels = plt.subplots(1, 3, figsize=(13, 3.8), width_ratios=(1.5, 1, 1))
-    curve, early, late = panels
-    st = numpy.geomspace(4, 1100, 300)
-    for low, high, bottom, top in BANDS:
-        curve.fill_between([low, high], bottom, top, color=REFERENCE, alpha=0.18, lw=0)
-    curve.fill_between([], [], [], color=REFERENCE, alpha=0.18, lw=0,
-                       label="bands of measured points")
-    curve.errorbar(measured[:, 0], measured[:, 1]/BEST, measured[:, 2]/BEST, fmt="o", ms=4,
-                   mfc="none", capsize=2, color=REFERENCE,
-                   label="out of the flights of Gondret et al.")
-    curve.plot(st, numpy.exp(-35/st), color=OURS, lw=0.8, label="exp(-35/St), Legendre et al. 2006")
-    curve.plot(st, numpy.maximum(1 - (1/BEST + 1)*numpy.log(1e3)/st, 0), color=OTHER, lw=0.8,
-               label="film in closed form")
-    for form, colour, mark in (("stokesDamping", OURS, "s"), ("instantaneous", "0.5", "v"),
-                               ("film", OTHER, "^")):
-        folder = Path(f"runs/twelve.{form}")
-        if folder.is_dir():
-            before, after = speeds(folder)
-            curve.plot(-7800*6e-3*before/0.9, numpy.maximum(-after/before, 0)/BEST, mark, ms=4,
-                       color=colour,
-                       label="Suna " + dict(FORMS)[form])
-    for form, colour, mark in (("stokesDamping", OURS, "s"), ("instantaneous", "0.5", "v"),
-                               ("film", OTHER, "^"), ("rough", OTHER, "<"), ("acts", "0.5", "x")):
-        if form in computed:
-            x, e = numpy.array(computed[form]).T
-            curve.plot(x, e/BEST, mark, ms=7, mfc="none", color=colour,
-                       label="with the film acting on in contact" if form == "acts" else None)
-    curve.set(xscale="log", xlabel="St", ylabel="$e/e_{max}$", ylim=(-0.02, 1.05))
-    curve.legend(fontsize=7, loc="lower right")
-    for axes, st in ((early, 27), (late, 152)):
-        t, h = numpy.loadtxt(f"measured/St{st}.csv", delimiter=",", skiprows=2).T
-        axes.plot(1e3*t, 1e3*h, "o", ms=3, mfc="none", color=REFERENCE, label="Gondret et al. 2002")
-        for form, colour, text in (("bounce", OURS, "Suna, law of contact"),
-                                   ("bounceFilm", OTHER, "Suna, film")):
-            if (form, st) in flights:
-                axes.plot(1e3*flights[form, st][0], 1e3*flights[form, st][1], color=colour, lw=1.2,
-                          label=text)
-        axes.set(xlabel="time since the impact [ms]", ylabel="height above the plate [mm]",
-                 xlim=(-10, 1.1e3*t.max()), ylim=(-0.1, 1.8e3*h[t > 0].max()),
-                 title=f"St {st}")
-        axes.legend(fontsize=7)
-    figure.tight_layout()
-    save(figure, "rebound.png")
+    draw(measured, computed, flights)
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], "rebound.png")
 

@@ -24,8 +24,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OURS, REFERENCE, Result, interval, panel, pictures, plt, read_vtp, \
-    render, save, store
+from dem_case import OURS, POINTS, REFERENCE, Result, below, interval, panel, panels, pictures, plain_ticks, \
+    read_vtp, render, save, shades, store
 
 D, EDGE, PACKING = 5e-3, 0.1, 0.57
 
@@ -54,13 +54,46 @@ def flanks(folder):
 
 def draw(runs):
     """The heaps of the smallest and the largest friction, one above the other."""
-    panels = [panel(f"friction {friction:g}, resistance to rolling {rolling:g}",
+    heaps = [panel(f"friction {friction:g}, resistance to rolling {rolling:g}",
                     pictures(f"runs/{friction:g}-{rolling:g}.1")[-1][1])
               for friction, rolling in (min(runs), max(runs))][:len(runs)]
-    depth = max(p.position[:, 1].max() for p in panels)
-    panels = [render.Panel(p.title, *(x[p.position[:, 2] > 0] for x in p[1:])) for p in panels]
-    render.draw("heap.png", panels, render.box((-EDGE, 0, 0), (EDGE, depth, 0.06)), "plain",
-                width=6, rows=len(panels), pixels=800)
+    depth = max(p.position[:, 1].max() for p in heaps)
+    heaps = [render.Panel(p.title, *(x[p.position[:, 2] > 0] for x in p[1:])) for p in heaps]
+    render.draw("heap.png", heaps, render.box((-EDGE, 0, 0), (EDGE, depth, 0.06)), "plain",
+                width=6, rows=len(heaps), pixels=800)
+
+
+def profile(runs):
+    """Mean of all seeds and of both sides of the heap: the distance from its middle, the height."""
+    x = runs[0][1][0]
+    height = numpy.mean([h for _, (_, h) in runs], axis=0)
+    half = len(x)//2
+    return x[-half:], 0.5*(height[-half:] + height[:half][::-1])
+
+
+def draw_slopes(rows, found):
+    figure, (left, middle, right) = panels(3, 12, width_ratios=(1, 1, 1.3))
+    for axes, name, vary, fixed, at in ((left, "friction (resistance to rolling 0.04)", 0, 1, 0.04),
+                                        (middle, "resistance to rolling (friction 0.4)", 1, 0, 0.4)):
+        chosen = rows[rows[:, fixed] == at]
+        if len(chosen):
+            c = numpy.geomspace(0.8*chosen[:, vary].min(), 1.2*chosen[:, vary].max(), 50)
+            axes.plot(c, zhou(c, at) if vary == 0 else zhou(at, c), color=REFERENCE, lw=1.2,
+                      label="fit to measurements, Zhou et al. 2002")
+            axes.errorbar(chosen[:, vary], chosen[:, 2], chosen[:, 3], marker="s", color=OURS,
+                          label="Suna, mean and 95 % interval", **POINTS)
+            axes.set(xlabel=name, ylabel="slope [degrees]", ylim=(0, None), xscale="log" if vary else "linear")
+            if vary:
+                plain_ticks(axes.xaxis, chosen[:, vary])
+    heaps = sorted(found.items(), key=lambda item: numpy.mean(numpy.concatenate([s for s, _ in item[1]])))
+    for ((friction, rolling), runs), colour in zip(heaps, shades(len(heaps))):
+        x, height = profile(runs)
+        right.plot(1e3*x, 1e3*height, color=colour, label=f"friction {friction:g}, rolling {rolling:g}")
+    right.set(xlabel="distance from the middle [mm]", ylabel="height of the heap [mm]", xlim=(0, None),
+              ylim=(0, None))
+    right.legend()
+    below(figure, left, columns=2)
+    save(figure, "repose.png")
 
 
 def main():
@@ -98,26 +131,7 @@ def main():
                        ci95, "1")
     result.write()
 
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 3.4), width_ratios=(1, 1, 1.4))
-    for axes, name, vary, fixed, at in ((left, "friction", 0, 1, 0.04),
-                                        (middle, "resistance to rolling", 1, 0, 0.4)):
-        chosen = rows[rows[:, fixed] == at]
-        if len(chosen):
-            c = numpy.geomspace(0.8*chosen[:, vary].min(), 1.2*chosen[:, vary].max(), 50)
-            axes.plot(c, zhou(c, at) if vary == 0 else zhou(at, c), color=REFERENCE,
-                      label="Zhou et al. 2002")
-            axes.errorbar(chosen[:, vary], chosen[:, 2], chosen[:, 3], fmt="s", ms=4, capsize=3,
-                          color=OURS, label="Suna")
-            axes.set(xlabel=name, ylabel="slope [degrees]", ylim=(0, None),
-                     xscale="log" if vary else "linear")
-            axes.legend()
-    for (friction, rolling), runs in sorted(found.items()):
-        x, height = runs[0][1]
-        right.plot(1e3*x, 1e3*height, label=f"friction {friction:g}, rolling {rolling:g}")
-    right.set(xlabel="x [mm]", ylabel="height [mm]")
-    right.legend()
-    figure.tight_layout()
-    save(figure, "repose.png")
+    draw_slopes(rows, found)
     draw(found)
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], "repose.png", "heap.png")

@@ -214,42 +214,45 @@ def light(table, curves):
 # ---- pictures ------------------------------------------------------------------------------------
 
 def draw(curves, rises):
-    from style import plt, save
+    from style import GREY, OTHER, OURS, REFERENCE, below, panels, save
 
     if "schillerNaumann" in curves:
-        figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
+        figure, (left, right) = panels(2, 10.5, 4)
         Re = numpy.geomspace(0.08, 1300, 200)
-        left.loglog(Re, [measured(x) for x in Re], "k-", label="Brown and Lawler, measured")
+        left.loglog(Re, [measured(x) for x in Re], color=REFERENCE, label="measured, Brown and Lawler 2003")
         against = numpy.array([terminal(measured, archimedes(x)) for x in REYNOLDS])
-        for law, speed in curves.items():
-            if law == "two-way":
-                continue
+        looks = zip("os^Dv<>PX", ("C0", "C1", "C2", "C3", "C4", "C5", "k", GREY, "#8c510a"))
+        for (law, speed), (mark, colour) in zip((item for item in curves.items() if item[0] != "two-way"), looks):
             # drag coefficient from the result: C = 4/3 Ar/Re^2
-            left.loglog(speed, [4/3*archimedes(x)/r**2 for x, r in zip(REYNOLDS, speed)], "o", ms=3,
-                        label=law)
-            right.semilogx(REYNOLDS[:len(speed)], 100*(speed/against[:len(speed)] - 1), "o-", ms=3,
-                           label=law)
+            left.loglog(speed, [4/3*archimedes(x)/r**2 for x, r in zip(REYNOLDS, speed)], mark, ms=5,
+                        mfc="none", color=colour, label=f"Suna, one-way, {law}")
+            right.semilogx(REYNOLDS[:len(speed)], 100*(speed/against[:len(speed)] - 1), mark + "-", ms=4, lw=1,
+                           mfc="none", color=colour)
+        names = {10: ("s", "10 d"), 5: ("X", "5 d"), 2: ("P", "2 d")}
         for Re_, cell, width, mean in curves.get("two-way", []):
-            right.semilogx(Re_, 100*(mean/terminal(measured, archimedes(Re_)) - 1),
-                           "k" + {10: "s", 5: "x", 2: "+"}.get(cell, "."))
-        left.set(xlabel="Re", ylabel="drag coefficient")
-        right.set(xlabel="Re", ylabel="terminal velocity less the measured [%]", ylim=(-25, 40))
-        right.set_title("squares, x, +, .: two-way on cells of 10, 5, 2, 1 and less d", fontsize=8)
-        left.legend(fontsize=7)
+            mark, name = names.get(cell, (".", "1 d or less"))
+            right.semilogx(Re_, 100*(mean/terminal(measured, archimedes(Re_)) - 1), mark, color="k", ms=7,
+                           label=f"Suna, two-way, schillerNaumann, cells of {name}")
+        left.set(xlabel="Reynolds number", ylabel="drag coefficient")
+        right.set(xlabel="Reynolds number", ylabel="terminal velocity less the measured one [%]", ylim=(-25, 40))
+        right.axhline(0, color=REFERENCE, lw=1.2)
+        below(figure, columns=3)
         save(figure, HERE/"terminal.png")
     if rises:
-        figure, axis = plt.subplots(figsize=(6, 4.2), layout="constrained")
-        for (density, mass, way), (time, v, own) in rises.items():
-            if mass == "added":
-                axis.plot(time, own, "k-", lw=0.7)
-                axis.plot(time, v, "ko" if way == "no" else "rx", ms=3 if way == "no" else 5,
-                          mfc="none")
-                if way == "no":
-                    axis.annotate(f"{density} kg/m3", (time[-1], v[-1]), (3, -3),
-                                  textcoords="offset points", fontsize=7)
-        axis.set(xlabel="t [s]", ylabel="velocity upwards [m/s]", xlim=(0, 0.24))
-        axis.set_title("2 mm in water with added mass: one-way (o), two-way (x), equation (lines)",
-                       fontsize=9)
+        figure, (axis,) = panels(1, 6.2, 4)
+        shown = {key: rise for key, rise in rises.items() if key[1] == "added"}
+        for k, ((density, _, way), (time, v, own)) in enumerate(shown.items()):
+            axis.plot(time, own, color=REFERENCE, lw=1, label=None if k else "equation of motion")
+            axis.plot(time, v, "o" if way == "no" else "x", ms=3.5 if way == "no" else 6, mfc="none",
+                      color=OURS if way == "no" else OTHER,
+                      label="Suna, one-way" if way == "no" else "Suna, two-way")
+            if way == "no" and abs(v[-1]) > 0.05:
+                axis.annotate(f"{density} kg/m³", (time[-1], v[-1]), (6, -3), textcoords="offset points", fontsize=8)
+        axis.annotate("990, 1010,\n1050 kg/m³", (0.2, -0.01), (6, 0), textcoords="offset points", fontsize=8,
+                      va="center")
+        axis.set(xlabel="time [s]", ylabel="velocity upwards [m/s]", xlim=(0, 0.2),
+                 title="spheres of 2 mm released in water, with added mass")
+        below(figure, columns=3)
         save(figure, HERE/"light.png")
 
 

@@ -20,7 +20,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import numpy
-from dem_case import OTHER, OURS, REFERENCE, Result, interval, plt, read_table, save, store
+from dem_case import GREY, MEASURED, OTHER, OURS, POINTS, REFERENCE, Result, interval, panels, read_table, \
+    save, store
 
 D, DEPTH, WIDTH, BEADS = 2.24e-3, 0.0056, 0.12544, 6790
 MASS = numpy.pi/6*D**3*2500
@@ -51,6 +52,28 @@ def anand():
 
 def beverloo(width, bulk, c=C, k=K):
     return c*bulk*numpy.sqrt(9.81)*DEPTH*(width - k*D)**1.5
+
+
+def draw(found, bulk, soft, measured):
+    time, mass, published = measured
+    figure, (left, right) = panels(2, 9.5)
+    left.plot(time, mass, label="simulation, Anand et al. 2008, slot of 11.2 d", **MEASURED)
+    for (kind, width), folders in sorted(found.items()):
+        t, m = discharge(folders[0])
+        left.plot(t, 1e3*m, color={8: OTHER, 11.2: OURS, 15: GREY}.get(width, "k"), lw=1.5,
+                  ls="--" if kind == "stiff" else "-",
+                  label=f"Suna, slot of {width:g} d" + (", E = 3e7 Pa" if kind == "stiff" else ""))
+    left.set(xlabel="time since the opening [s]", ylabel="discharged mass [g]", xlim=(0, 1.2), ylim=(0, None))
+    w = numpy.linspace(3, 17, 100)*D
+    right.plot(w/D, 1e3*beverloo(w, bulk), color=REFERENCE, lw=1.2, label="Beverloo's law, C 1.03, k 1.4")
+    right.plot(11.2, published, label="simulation, Anand et al. 2008", **{**MEASURED, "ms": 7})
+    right.errorbar(soft[:, 0]/D, 1e3*soft[:, 1], 1e3*soft[:, 2], marker="s", color=OURS,
+                   label="Suna, mean and 95 % interval", **POINTS)
+    right.set(xlabel="width of the slot over diameter w/d", ylabel="discharge rate [g/s]", xlim=(0, 17),
+              ylim=(0, None))
+    left.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))
+    right.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))
+    save(figure, "silo.png")
 
 
 def main():
@@ -84,25 +107,7 @@ def main():
         result.add("C", "with that k", C, c, None, "1")
     result.write()
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.6))
-    left.plot(time, mass, "o", ms=4, mfc="none", color=REFERENCE,
-              label="Anand et al. 2008, slot of 11.2 d")
-    for (kind, width), folders in sorted(found.items()):
-        t, m = discharge(folders[0])
-        left.plot(t, 1e3*m, color={8: OTHER, 11.2: OURS, 15: "0.5"}.get(width, "k"), lw=1.2,
-                  ls="--" if kind == "stiff" else "-",
-                  label=f"Suna, {width:g} d" + (", E = 3e7 Pa" if kind == "stiff" else ""))
-    left.set(xlabel="time since the opening [s]", ylabel="mass out [g]", xlim=(0, 1.2))
-    w = numpy.linspace(3, 17, 100)*D
-    right.plot(w/D, 1e3*beverloo(w, bulk), color=REFERENCE, label="Beverloo's law, C 1.03, k 1.4")
-    right.plot(11.2, published, "o", ms=6, mfc="none", color=REFERENCE, label="Anand et al. 2008")
-    right.errorbar(soft[:, 0]/D, 1e3*soft[:, 1], 1e3*soft[:, 2], fmt="s", ms=4, capsize=3,
-                   color=OURS, label="Suna")
-    right.set(xlabel="slot over bead, w/d", ylabel="rate [g/s]", xlim=(0, 17), ylim=(0, None))
-    for axes in (left, right):
-        axes.legend()
-    figure.tight_layout()
-    save(figure, "silo.png")
+    draw(found, bulk, soft, (time, mass, published))
     if sys.argv[1:2] == ["-store"]:
         store(sys.argv[2], "silo.png")
 

@@ -2,11 +2,9 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import numpy
-
 import plots            # of muellerBed, in the path by results, like style
 import series
-from style import OURS, REFERENCE as MEASURED, plt, save
+from style import OURS, REFERENCE as MEASURED, below, plt, save
 
 SHOWN = 3.0             # s of each course
 
@@ -24,7 +22,6 @@ def draw_course(case, start, height, pressure, measured_height, measured_pressur
         axes.plot(at - at[0], theirs, "o-", ms=2.5, lw=0.8, mfc="none", color=MEASURED,
                   label="measured, van Wachem et al. 2001")
         axes.set(ylabel=name, xlim=(0, SHOWN), xlabel="time [s]")
-    panels[0].legend(loc="upper right", ncols=2, fontsize=8)
     for at, p, colour in ((time, values, OURS), (*measured_pressure, MEASURED)):
         even = series.even(at, p)[1]
         frequency, power = series.power(even)
@@ -33,6 +30,7 @@ def draw_course(case, start, height, pressure, measured_height, measured_pressur
     panels[2].set(xlim=(0, 10), ylim=(1, None), xlabel="frequency [Hz]",
                   ylabel="spectrum of the pressure\n[Pa$^2$/Hz]")
     figure.tight_layout()
+    below(figure, panels[0])
     save(figure, case/"course.png")
 
 

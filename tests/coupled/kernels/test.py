@@ -49,7 +49,7 @@ for kernel in ("diffusion", "particleCentre") + ("gaussian", "divided", "linear"
         claim(f"cluster, {kernel}: ds/dt doubles, as this kernel is discontinuous", rate2 > 1.7*rate)
     else:
         claim(f"cluster, {kernel}: ds/dt grows by less than 1.3 when the step is halved", rate2 < 1.3*rate)
-    # with particleCentre the voidage flux takes it up (solvers/demPimpleFoam/voidageFlux.H): without it the jump of
+    # with particleCentre the voidage flux takes it up (coupling/averaged/voidageFlux.H): without it the jump of
     # pressure grows threefold, to 1.04 m2/s2
     claim(f"cluster, {kernel}: the jump of pressure grows by less than 1.3", jump2 < 1.3*jump)
 

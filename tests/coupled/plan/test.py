@@ -132,13 +132,13 @@ case.sub("constant/demProperties", "kernel +linear;", r"\g<0> record { interval 
 for table in ("walls", "flows", "lost", "energy", "budget"):
     case.write(f"postProcessing/dem/0/{table}.csv", "of an earlier run\n")
 case.remove("processor*")
-# OpenFOAM reports the schemes that are asked for
-case.write(work/"site/etc/controlDict", "DebugSwitches { fvSchemes 1; }\n")
+# OpenFOAM reports the schemes that are asked for; the switch is fvSchemes, and schemesLookup since v2106
+case.write(work/"site/etc/controlDict", "DebugSwitches { fvSchemes 1; schemesLookup 1; }\n")
 site = {"WM_PROJECT_SITE": str(work/"site")}
 
 
 def schemes(log):
-    return set(re.findall("^Lookup .*Scheme.*", log, re.M))
+    return set(re.findall("^Lookup .*scheme.*", log, re.M | re.I))
 
 
 before = files()

@@ -38,6 +38,20 @@ for version in ("9", "10", "11", "12", "13", "dev"):
 refused("v1906", "older than v1912", "1906")
 refused("v1812", "older than v1912")
 
+# ---- programs of another version in PATH ------------------------------------------------------------
+
+# an environment like that of a version whose programs are not built: only its library is there
+library = work/"foam/platforms/lib/libOpenFOAM.so"
+library.parent.mkdir(parents=True)
+library.touch()
+checker = here.parents[1]/"foam_programs"
+done = run("bash", checker, env={**os.environ, "WM_PROJECT_DIR": str(work/"foam"), "FOAM_LIBBIN": str(library.parent),
+                                 "WM_PROJECT_VERSION": "v2512"})
+claim("a program that belongs to another version is told", done.returncode == 1 and re.search(
+    "^/.*/pimpleFoam belongs to another OpenFOAM", done.stdout, re.M), done.stdout)
+done = run("bash", checker)
+claim("the programs here belong to the sourced one", done.returncode == 0 and " pimpleFoam " in done.stdout, done.stdout)
+
 # ---- the compiler, with declarations of each version ------------------------------------------------
 
 stub = work/"stub"

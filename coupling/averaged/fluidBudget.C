@@ -13,12 +13,12 @@
 
 void Foam::fluidBudget::keepFluxes()
 {
-    continuityDefect_ = fvc::ddt(voidFraction_)().primitiveField();
-    continuityDefect_ += fvc::div(alphaPhi_)().primitiveField();
+    continuityDefect_ = fvc::ddt(mass_)().primitiveField();
+    continuityDefect_ += fvc::div(massFlux_)().primitiveField();
 
     forAll(fluxes_, patchi)
     {
-        fluxes_[patchi] = alphaPhi_.boundaryField()[patchi];
+        fluxes_[patchi] = massFlux_.boundaryField()[patchi];
     }
 }
 
@@ -29,6 +29,8 @@ Foam::fluidBudget::fluidBudget
     const volVectorField& U,
     const volScalarField& voidFraction,
     const surfaceScalarField& alphaPhi,
+    const volScalarField& mass,
+    const surfaceScalarField& massFlux,
     const scalar rho
 )
 :
@@ -36,6 +38,8 @@ Foam::fluidBudget::fluidBudget
     U_(U),
     voidFraction_(voidFraction),
     alphaPhi_(alphaPhi),
+    mass_(mass),
+    massFlux_(massFlux),
     rho_(rho),
     explicitStress_(mesh().boundary().size(), Zero),
     fluxes_(mesh().boundary().size()),
@@ -116,7 +120,7 @@ void Foam::fluidBudget::beforePredictor
 
 
 // The coefficients of a patch in UEqn contain convection and stress together;
-// convection is alphaPhi U of the patch, stress the difference
+// convection is massFlux U of the patch, stress the difference
 void Foam::fluidBudget::afterCorrector
 (
     fvVectorMatrix& UEqn,
@@ -189,7 +193,7 @@ void Foam::fluidBudget::endStep
 (
     const volScalarField& p,
     const vectorField& ofFaces,
-    const vector& ofSources,
+    const UList<force>& known,
     const vector& toFluid,
     const volScalarField& dsdt
 )
@@ -199,15 +203,18 @@ void Foam::fluidBudget::endStep
     const vectorField& u = U_;
     const scalarField& e = voidFraction_;
 
-    const vector sources(rhoDeltaT*ofSources);
-    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid - sources);
+    vector faces(rhoDeltaT*gSum((V*ofFaces)()) - toFluid);
+    for (const force& one : known)
+    {
+        faces -= rhoDeltaT*one.second();
+    }
 
     budget_.state(demBudget::VOLUME, "fluid", gSum((V*e)()));
     budget_.state
     (
         demBudget::ENERGY,
         "fluid",
-        0.5*rho_*gSum((V*e*magSqr(u))())
+        0.5*rho_*gSum((V*mass_.primitiveField()*magSqr(u))())
     );
 
     forAll(mesh().boundary(), patchi)
@@ -239,14 +246,17 @@ void Foam::fluidBudget::endStep
         (
             demBudget::ENERGY,
             "flow:" + patch.name(),
-            -rhoDeltaT*gSum((0.5*flux*magSqr(Up))())
+            -rhoDeltaT*gSum((0.5*massFlux_.boundaryField()[patchi]*magSqr(Up))())
         );
     }
 
     budget_.gain("continuity", rhoDeltaT*continuity_);
     budget_.gain("iterations", rhoDeltaT*iterations_);
     budget_.gain("faces", faces);
-    budget_.gain("sources", sources);
+    for (const force& one : known)
+    {
+        budget_.gain(one.first(), rhoDeltaT*one.second());
+    }
     budget_.gain
     (
         demBudget::VOLUME,

@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    demRun.C -- options, lock, written times and end of a run.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demRun.H"
+#include "demSettle.H"
+
+void Foam::demRun::addOptions()
+{
+    argList::addBoolOption
+    (
+        "plan",
+        "Print the plan of the run (effects, time steps, cost), then stop"
+    );
+    argList::addBoolOption
+    (
+        "settle",
+        "Settle the particles of insert in the walls of the mesh, without the"
+        " fluid, until they rest; write the snapshot for start, then stop"
+    );
+}
+
+
+Foam::demRun::demRun(const argList& args, Time& time)
+:
+    time_(time),
+    planOnly_(args.found("plan")),
+    settleOnly_(args.found("settle")),
+    planned_(false)
+{
+    if (planOnly_)
+    {
+        time_.functionObjects().off();
+    }
+}
+
+
+bool Foam::demRun::settle(const fvMesh& mesh) const
+{
+    if (settleOnly_)
+    {
+        demSettle(mesh).run();
+        Info<< "End\n" << endl;
+    }
+    return settleOnly_;
+}
+
+
+void Foam::demRun::begin()
+{
+    Info<< "\nStarting time loop\n" << endl;
+    if (!planOnly_)
+    {
+        stop_.reset(new demStop(time_));
+    }
+}
+
+
+bool Foam::demRun::plan
+(
+    demCloud& cloud,
+    const volVectorField& U,
+    const volVectorField& gradP,
+    const volScalarField& rho,
+    const volScalarField& mu,
+    const string& limit,
+    const scalar maxCo,
+    const scalar reached,
+    const word& reachedBy
+)
+{
+    if (!planned_)
+    {
+        cloud.plan(U, gradP, rho, mu, limit, maxCo, reached, reachedBy);
+        planned_ = true;
+    }
+    return planOnly_;
+}
+
+
+void Foam::demRun::endStep(demCloud& cloud)
+{
+    if (!stop_().atStepEnd(time_))
+    {
+        time_.write();
+    }
+    if (time_.writeTime())
+    {
+        cloud.write();
+    }
+    time_.printExecutionTime(Info);
+}
+
+
+void Foam::demRun::end() const
+{
+    if (planOnly_ && !planned_)
+    {
+        FatalErrorInFunction
+            << "There is nothing to plan: the run begins at "
+            << time_.timeName() << " s and ends at "
+            << time_.endTime().value() << " s; raise endTime, or begin"
+            << " earlier (startFrom in system/controlDict)"
+            << exit(FatalError);
+    }
+    Info<< "End\n" << endl;
+}

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""evaluate.py -- volumes, exchange and the fronts of water and grains.
+
+    evaluate.py [-test]        writes result.csv and fronts.csv
+
+Bounds and their reasons:
+  water     change of its volume, relative; 1e-9: identities, 10 digits of the log
+  alpha     outside of [0, 1]; 1e-9
+  exchange  1e-12, an identity
+The fronts, the foremost grain and the foremost water at the floor, are only reported: no measured
+numbers of this case are published as a table. A front of a dry dam of height h cannot be faster than
+2 sqrt(g h) (Ritter 1892); that is a bound.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import math
+import re
+import sys
+from pathlib import Path
+
+import numpy
+
+HERE = Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent/"shared"))
+import results                      # noqa: E402
+
+RUN = HERE/"runs/dam"
+WIDTH, HEIGHT, TANK = 0.05, 0.1, 0.2            # m, of the column; length of the tank
+
+
+def values(path):
+    """The internal field of an ASCII file, one row an entry."""
+    text = path.read_text()
+    text = text[text.find("internalField"):] if "internalField" in text else text[text.index("}") + 1:]
+    found = re.search(r"(\d+)\s*\((.*?)\n\)", text, re.S)
+    numbers = numpy.array(re.sub("[()]", " ", found[2]).split(), float)
+    return numbers.reshape(int(found[1]), -1)
+
+
+def fronts():
+    """Time, foremost grain and foremost water on the floor [s, m, m]."""
+    cells = [int(n) for n in re.search(r"^cells\s+\((\d+) (\d+) (\d+)\)",
+                                       (RUN/"system/blockMeshDict").read_text(), re.M).groups()]
+    rows = []
+    for path in sorted((p for p in RUN.iterdir() if re.fullmatch(r"\d\.?\d*", p.name) and float(p.name) > 0),
+                       key=lambda p: float(p.name)):
+        grains = values(path/"lagrangian/particles/positions")
+        floor = values(path/"alpha.water").reshape(cells[::-1])[0].mean(axis=0)
+        wet = numpy.nonzero(floor > 0.5)[0]
+        rows.append((float(path.name), grains[:, 0].max(), (wet.max() + 1)*TANK/cells[0]))
+    return numpy.array(rows)
+
+
+def main():
+    log = (RUN/"log.demInterFoam").read_text()
+    number = r"([-+0-9.eE]+)"
+    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}, volume {number} m3", log), float)
+    exchange = [float(x) for x in re.findall(rf"exchange error {number}", log)]
+    table = results.Table()
+    table.add("balances", "volume of water, relative change", 0, numpy.ptp(alpha[:, 2])/alpha[0, 2],
+              allowed=1e-9, source="identity")
+    table.add("balances", "alpha outside of [0, 1]", 0, max(-alpha[:, 0].min(), alpha[:, 1].max()),
+              allowed=1e-9, source="identity")
+    table.add("balances", "exchange of momentum, largest relative error", 0, max(exchange), allowed=1e-12,
+              source="identity")
+    places = fronts()
+    with open(HERE/"fronts.csv", "w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(["time[s]", "grains[m]", "water[m]"])
+        out.writerows(places)
+    moving = places[places[:, 2] < 0.9*TANK]
+    if len(moving):
+        time, grains, water = moving[-1]
+        limit = 2*math.sqrt(9.81*HEIGHT)
+        # between 0 and 1
+        table.add("fronts", "mean speed of the water over Ritter's limit", 0.5, (water - WIDTH)/time/limit,
+                  allowed=1, source="Ritter 1892")
+        table.add("fronts", "grains behind the water", 0, water - grains, unit="m")
+    table.write(HERE)
+
+
+if __name__ == "__main__":
+    main()
