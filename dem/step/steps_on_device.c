@@ -108,7 +108,7 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
             (void)dem_skins_step(&state->pairs.skins, last);
         }
     }
-    for (int l = 0; l < DEM_LISTS; l++)
+    for (enum dem_list l = 0; l < DEM_LISTS; l++)
     {
         struct dem_displacement *const d = &state->pairs.displacement[l];
 
