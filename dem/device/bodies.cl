@@ -29,6 +29,88 @@ static int dem_facets_interact(global const struct dem_facet *a, global const st
            fabs(dem_wall_touch(a, frames, point_b, on, there)) < near;
 }
 
+/* Force and torque of the rows of a particle, in the order of partner ids; what they have dissipated,
+   to `lost`. Moments follow when all lever arms have been added. Returns the number of wall rows with
+   a force. */
+static uint dem_sum_rows(constant struct dem_device_batch *b, uint i, double radius,
+                         global const uchar *restrict touch, global const double4 *restrict force,
+                         global const double4 *restrict moment,
+                         global const double4 *restrict energy, global const uint *restrict start,
+                         global const uint *restrict entry, global double *restrict lost,
+                         double f[3], double t[3])
+{
+    uint walls = 0;
+
+    for (uint e = start[i]; e < start[i + 1]; e++)
+    {
+        const uint row = entry[e] >> 1;
+        const double side = entry[e] & 1 ? -1.0 : 1.0;
+
+        if (!touch[row])
+        {
+            continue;
+        }
+        const double4 a = force[2*(size_t)row], c = force[2*(size_t)row + 1];
+        const double lever = a.w - radius;
+
+        f[0] += side*a.x;
+        f[1] += side*a.y;
+        f[2] += side*a.z;
+        t[0] += lever*c.x;
+        t[1] += lever*c.y;
+        t[2] += lever*c.z;
+#if PAST_TOUCHING
+        lost[i] += (row >= b->walls ? 1.0 : 0.5)*energy[row].y;
+#endif
+        walls += row >= b->walls;
+    }
+#if MOMENTS
+    for (uint e = start[i]; e < start[i + 1]; e++)
+    {
+        const uint row = entry[e] >> 1;
+        const double side = entry[e] & 1 ? -1.0 : 1.0;
+
+        if (touch[row])
+        {
+            const double4 m = moment[row];
+
+            t[0] += side*m.x;
+            t[1] += side*m.y;
+            t[2] += side*m.z;
+        }
+    }
+#endif
+    return walls;
+}
+
+/* An event when two facets that a particle touches interact. Rows of walls are the last ones. */
+static void dem_check_corners(constant struct dem_device_batch *b,
+                              global struct dem_device_report *report, uint s, uint i,
+                              const double x[3], double radius,
+                              global const uint2 *restrict partners,
+                              global const struct dem_facet *restrict facets,
+                              global const struct dem_device_frame *restrict frames,
+                              global const uchar *restrict touch,
+                              global const uint *restrict start, global const uint *restrict entry)
+{
+    for (uint e = start[i + 1]; e > start[i] && entry[e - 1] >> 1 >= b->walls; e--)
+    {
+        const uint row = entry[e - 1] >> 1;
+
+        for (uint d = e - 1; d > start[i] && entry[d - 1] >> 1 >= b->walls; d--)
+        {
+            const uint other = entry[d - 1] >> 1;
+
+            if (touch[row] && touch[other] &&
+                dem_facets_interact(facets + partners[row].y, facets + partners[other].y,
+                                    frames + s*b->frames, x, radius))
+            {
+                dem_report_event(report, DEM_DEVICE_CORNER, s);
+            }
+        }
+    }
+}
+
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
 void bodies(constant struct dem_device_batch *b, global struct dem_device_report *report, uint s,
             global double4 *restrict record, global const uint2 *restrict partners,
@@ -53,65 +135,13 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         double4 x = record[4*(size_t)i], v = record[4*(size_t)i + 1], w = record[4*(size_t)i + 2];
         const double4 rest = record[4*(size_t)i + 3];
         double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
+        const double at[3] = {x.x, x.y, x.z};
         struct dem_body_row r;
-        uint touching_walls = 0;
 
-        for (uint e = start[i]; e < start[i + 1]; e++)
+        if (dem_sum_rows(b, i, x.w, touch, force, moment, energy, start, entry, lost, f, t) > 1)
         {
-            const uint row = entry[e] >> 1;
-            const double side = entry[e] & 1 ? -1.0 : 1.0;
-
-            if (!touch[row])
-            {
-                continue;
-            }
-            const double4 a = force[2*(size_t)row], c = force[2*(size_t)row + 1];
-            const double lever = a.w - x.w;
-
-            f[0] += side*a.x;
-            f[1] += side*a.y;
-            f[2] += side*a.z;
-            t[0] += lever*c.x;
-            t[1] += lever*c.y;
-            t[2] += lever*c.z;
-#if PAST_TOUCHING
-            lost[i] += (row >= b->walls ? 1.0 : 0.5)*energy[row].y;
-#endif
-            touching_walls += row >= b->walls;
-        }
-#if MOMENTS
-        for (uint e = start[i]; e < start[i + 1]; e++)
-        {
-            const uint row = entry[e] >> 1;
-            const double side = entry[e] & 1 ? -1.0 : 1.0;
-
-            if (touch[row])
-            {
-                const double4 m = moment[row];
-
-                t[0] += side*m.x;
-                t[1] += side*m.y;
-                t[2] += side*m.z;
-            }
-        }
-#endif
-        /* rows of walls are last */
-        for (uint e = start[i + 1]; touching_walls > 1 && e > start[i]; e--)
-        {
-            const uint row = entry[e - 1] >> 1;
-
-            for (uint d = e - 1; row >= b->walls && d > start[i]; d--)
-            {
-                const uint other = entry[d - 1] >> 1;
-                const double at[3] = {x.x, x.y, x.z};
-
-                if (touch[row] && other >= b->walls && touch[other] &&
-                    dem_facets_interact(facets + partners[row].y, facets + partners[other].y,
-                                        frames + s*b->frames, at, x.w))
-                {
-                    dem_report_event(report, DEM_DEVICE_CORNER, s);
-                }
-            }
+            dem_check_corners(b, report, s, i, at, x.w, partners, facets, frames, touch, start,
+                              entry);
         }
         r.mass = rest.x;
         r.radius = x.w;
