@@ -74,6 +74,21 @@ static void write_memory(struct dem_text *t, const struct dem_run_cost *c)
     dem_text_add(t, ", and %s for its backup copy (lastGood)\n", dem_text_bytes(c->copy));
 }
 
+static void write_device(struct dem_text *t, const struct dem *d)
+{
+    const double bytes = dem_device_bytes(d);
+
+    if (dem_device(d)[0])
+    {
+        dem_text_add(t, "Device\n    %s\n", dem_device(d));
+    }
+    if (bytes > 0.0)
+    {
+        dem_text_add(t, "    %s of its memory as a dense bed; its run time is not known before a run, "
+                     "the time below is the CPU's\n", dem_text_bytes(bytes));
+    }
+}
+
 void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
 {
     const struct dem_run_info *const run = &p->run;
@@ -85,6 +100,7 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
         return;
     }
     write_memory(t, c);
+    write_device(t, p->d);
     dem_text_add(
         t,
         "Time\n    %.3g us of processor time a particle and step, measured in a dense bed of %lld particles at rest\n",

@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 static const char help[] =
-    "Usage: dem plan [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n"
+    "Usage: dem plan [-restart SNAPSHOT] [-device NAME] [-set PATH VALUE] ... SCENE\n"
     "       mpirun -np N dem plan SCENE\n\n"
     "Reads and checks a scene like dem run, and reports: effects and their settings, contacts,\n"
     "walls, particles, the bed's weight, fluidisation, which effects the scene needs, the time\n"

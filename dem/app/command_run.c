@@ -21,11 +21,12 @@
 
 enum
 {
-    BACKUP_STEPS = 1000  /* between backups in memory; one costs less than a step */
+    BACKUP_STEPS = 1000,  /* between backups in memory; one costs less than a step */
+    DEVICE_BACKUP_STEPS = 50000    /* with a device, from which the state comes for it */
 };
 
 static const char help[] =
-    "Usage: dem run [-restart SNAPSHOT] [-set PATH VALUE] ... SCENE\n"
+    "Usage: dem run [-restart SNAPSHOT] [-device NAME] [-set PATH VALUE] ... SCENE\n"
     "       mpirun -np N dem run SCENE\n\n"
     "Runs a scene in OpenFOAM's dictionary syntax. Of its entries these belong to the run:\n"
     "    time  { end 1; step auto;        s; auto: the longest stable step\n"
@@ -49,6 +50,8 @@ static const char help[] =
     "            lastGood yes; }          backups in memory; the last is written as lastGood.dem\n"
     "                                     when the run fails\n"
     "    accuracy { target 0.01; }        search the step for errors within 1 % first, see dem cost\n"
+    "-device NAME makes the steps on an OpenCL device, with the same bits: gpu, or a part of a name\n"
+    "that `dem run -device list` prints. The scene's entry `device` does the same.\n"
     "-restart continues from a snapshot, on any number of ranks, with the same bits as the run\n"
     "that wrote it. SIGTERM, SIGUSR1 and SIGINT (Ctrl-C) end the run after the present step with\n"
     "a snapshot, from which -restart continues with the same bits. So does a file `stop` in the\n"
@@ -172,7 +175,8 @@ static int advance(struct run_state *c, double duration)
 
     if (o->last_good)
     {
-        DEM_TRY(dem_backup_every(c->d, BACKUP_STEPS));
+        DEM_TRY(dem_backup_every(c->d, dem_device_bytes(c->d) > 0.0 ? DEVICE_BACKUP_STEPS
+                                                                    : BACKUP_STEPS));
     }
     const int status = dem_advance(c->d, duration);
 
@@ -243,6 +247,7 @@ static int begin(struct run_state *c)
         dem_set_progress(c->d, look_interval, watch, &c->p);
     }
     DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
+    dem_run_announce_device(c->prog, c->d);
     DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
     if (start == 0.0)
     {
@@ -288,6 +293,7 @@ static void print_quiet(const struct dem_quiet *q, const struct dem_program *pro
 static int print_profile(const struct dem_program *prog, struct dem *d, const struct dem_output *o)
 {
     const char *text;
+    int64_t made, parts, repeated;
 
     if (o->profile)
     {
@@ -295,6 +301,12 @@ static int print_profile(const struct dem_program *prog, struct dem *d, const st
         if (prog->rank == 0)
         {
             fputs(text, stdout);
+        }
+        dem_device_steps(d, &made, &parts, &repeated);
+        if (prog->rank == 0 && made + repeated > 0)
+        {
+            printf("    device: %lld steps in %lld parts, %lld given up\n", (long long)made,
+                   (long long)parts, (long long)repeated);
         }
     }
     return DEM_OK;

@@ -91,3 +91,12 @@ int dem_run_announce(const struct dem_program *prog, struct dem *d, const struct
     }
     return warn(prog, d, fmax(0.0, s->end - t.time));
 }
+
+void dem_run_announce_device(const struct dem_program *prog, const struct dem *d)
+{
+    if (prog->rank == 0 && dem_device(d)[0])
+    {
+        printf("device: %s\n", dem_device(d));
+        fflush(stdout);
+    }
+}

@@ -11,4 +11,7 @@
 /* Collective. */
 int dem_run_announce(const struct dem_program *, struct dem *, const struct dem_schedule *);
 
+/* What makes the steps, where the scene asks for a device. */
+void dem_run_announce_device(const struct dem_program *, const struct dem *);
+
 #endif

@@ -14,12 +14,14 @@
 /* A word that begins with - and was not read: its value is missing, or it is unknown. */
 static int refuse_option(const char *command, const char *word)
 {
-    const char *const known[] = {"-restart", "-set", "-help"};
+    const char *const known[] = {"-restart", "-device", "-set", "-help"};
 
-    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-set") != 0, DEM_ERROR_INPUT,
+    DEM_REQUIRE(strcmp(word, "-restart") != 0 && strcmp(word, "-device") != 0 &&
+                    strcmp(word, "-set") != 0,
+                DEM_ERROR_INPUT,
                 "%s lacks its value%s; see dem %s -help", word,
                 strcmp(word, "-set") == 0 ? "s" : "", command);
-    return dem_did_you_mean_error("option", word, known, 3);
+    return dem_did_you_mean_error("option", word, known, 4);
 }
 
 static int read_request(struct dem_request *r, const char *command, int argc, char **argv)
@@ -33,6 +35,10 @@ static int read_request(struct dem_request *r, const char *command, int argc, ch
         else if (strcmp(argv[k], "-restart") == 0 && k + 1 < argc)
         {
             r->restart = argv[++k];
+        }
+        else if (strcmp(argv[k], "-device") == 0 && k + 1 < argc)
+        {
+            r->device = argv[++k];
         }
         else if (strcmp(argv[k], "-set") == 0 && k + 1 < argc && strchr(argv[k + 1], '=')
                  && r->sets < DEM_MAX_SETS)
@@ -59,7 +65,9 @@ static int read_request(struct dem_request *r, const char *command, int argc, ch
             r->scene = argv[k];
         }
     }
-    DEM_REQUIRE(r->scene || r->help, DEM_ERROR_INPUT, "no scene; see dem %s -help", command);
+    r->lists_devices = r->device && strcmp(r->device, "list") == 0;
+    DEM_REQUIRE(r->scene || r->help || r->lists_devices, DEM_ERROR_INPUT,
+                "no scene; see dem %s -help", command);
     return DEM_OK;
 }
 
@@ -169,6 +177,22 @@ static int accept_coupling(const struct dem_dict *scene, int *present)
     return DEM_OK;
 }
 
+/* Names of devices have blanks: a text in quotes. */
+static int set_device(const struct dem_request *r, struct dem_case *c)
+{
+    char text[256];
+
+    DEM_REQUIRE(!r->device || (strlen(r->device) < 200 && !strchr(r->device, '"')), DEM_ERROR_INPUT,
+                "-device %.200s: give gpu, or a part of a name of dem run -device list",
+                r->device);
+    if (!r->device)
+    {
+        return DEM_OK;
+    }
+    snprintf(text, sizeof text, "\"%s\"", r->device);
+    return dem_case_set(c, "device", text);
+}
+
 /* Each rank reads the scene and the options by itself. */
 static int read_scene(const struct dem_request *r, struct dem_case *c, struct dem_schedule *s)
 {
@@ -177,6 +201,7 @@ static int read_scene(const struct dem_request *r, struct dem_case *c, struct de
     {
         DEM_TRY(dem_case_set(c, r->set[k][0], r->set[k][1]));
     }
+    DEM_TRY(set_device(r, c));
     if (r->restart)
     {
         DEM_TRY(dem_case_load(c, r->restart));
@@ -232,11 +257,11 @@ int dem_command_run(struct dem_program *prog, const struct dem_command *c, int a
     struct dem *d = NULL;
 
     DEM_TRY(read_request(&r, c->name, argc, argv));
-    if (r.help)
+    if (r.help || r.lists_devices)
     {
         if (prog->rank == 0)
         {
-            fputs(c->help, stdout);
+            fputs(r.help ? c->help : dem_devices_text(), stdout);
         }
         return DEM_OK;
     }

@@ -33,9 +33,9 @@ enum
 /* a command line */
 struct dem_request
 {
-    const char *scene, *restart;
+    const char *scene, *restart, *device;
     const char *set[DEM_MAX_SETS][2];  /* path and value */
-    int sets, help;
+    int sets, help, lists_devices;     /* 1: -help; -device list */
 };
 
 struct dem_command
@@ -44,7 +44,7 @@ struct dem_command
     int (*run)(struct dem_program *, struct dem *, const struct dem_schedule *);
 };
 
-/* Collective. Run a command: read the arguments [-restart SNAPSHOT]
+/* Collective. Run a command: read the arguments [-restart SNAPSHOT] [-device NAME]
    [-set PATH VALUE | -set PATH=VALUE] ... SCENE, print its help or set up the scene, call `run`,
    free. Strings of the request point into argv, where the `=` becomes the end of the path. */
 int dem_command_run(struct dem_program *, const struct dem_command *, int argc, char **argv);

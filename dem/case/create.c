@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/dem_case.h"
+#include "device/device_steps.h"
 #include "core/memory.h"
 #include "ranks/collect.h"
 #include "ranks/mpi_error.h"
@@ -115,6 +116,7 @@ void dem_free(struct dem *d)
     dem_memory_free(d->outgoing);
     dem_text_free(&d->impact);
     dem_text_free(&d->profile);
+    dem_device_free(&d->state);
     dem_scene_free(&d->scene);
     dem_snapshot_scene_free(&d->before);
     for (size_t k = 0; k < d->notes; k++)

@@ -75,6 +75,8 @@ struct dem
     double step;                                          /* s  the longest step that dem_advance
                                                              takes */
     struct dem_text profile, impact;                      /* the texts returned last */
+    char device[1000];                                    /* what makes the steps, or why no device
+                                                             does; "": none is asked for */
     double said_overlap, said_speed;                      /* 1, m/s  at the last dem_impact_warning
                                                              with a sentence */
     char heading[DEM_HEADING + 800], fluid_effects[400];  /* "effects: " and all names; names of
@@ -118,6 +120,9 @@ int dem_api_move_wall(struct dem *, const struct dem_mesh_wall *, int now);
    particle of this rank. */
 int dem_api_require_fluid_scalars(const struct dem *);
 double dem_api_max_radius(const struct dem *);    /* m  0 without particles */
+
+/* From now on the CPU makes the steps; why: as the end of a sentence. No effect without a device. */
+void dem_api_drop_device(struct dem *, const char *why);
 
 /* The scene of the run, for its snapshots; the caller frees it. On the first rank. */
 int dem_api_describe_scene(const struct dem *, struct dem_snapshot_scene *);

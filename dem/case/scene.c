@@ -361,6 +361,8 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(read_fluid(&s->fluid, scene, r));
     DEM_TRY(read_time(s, scene));
     DEM_TRY(read_neighbours(s, scene));
+    s->device = "cpu";
+    DEM_TRY(dem_dict_has(scene, "device") ? dem_dict_text(scene, "device", &s->device) : DEM_OK);
     DEM_TRY(dem_averages_io_read(scene, &s->average, &s->averages));
     DEM_TRY(read_bonds(s, scene, r));
     DEM_TRY(dem_dict_sub_if(scene, "start", &start));

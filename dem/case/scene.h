@@ -18,6 +18,7 @@
  *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; }
  *     neighbours{ outerSkin; innerSkin; }
  *     averages  { NAME { min; max; cells; start; end; interval; } }
+ *     device    gpu|NAME;                                      makes the steps in place of the CPU
  *     write     { ... }                                        read by the program
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -54,6 +55,7 @@ struct dem_scene
     struct dem_initial_particles initial;  /* particles of all groups, once placed */
     struct dem_averages_entry *average;    /* grids of time averages */
     int averages;
+    const char *device;                    /* that makes the steps; "cpu": none */
     const int64_t *bond_ids;               /* ids of bonded pairs, two each; NULL: no list */
     size_t bond_id_count;
 };

@@ -92,18 +92,18 @@ static int read_surface_rotation(const struct dem_dict *dict, struct dem_wall *w
     const bool belt = dem_dict_has(dict, "speed");
     double omega;
 
-    DEM_TRY(read_axis(dict, wall->drive_origin, wall->drive_axis));
+    DEM_TRY(read_axis(dict, wall->drive.origin, wall->drive.axis));
     DEM_REQUIRE(belt != dem_dict_has(dict, "omega"), DEM_ERROR_INPUT,
                 "%s: give omega [rad/s] for a surface that turns like a solid, or speed [m/s] for "
                 "a belt around the axis, one of the two", dem_dict_where(dict));
     if (belt)
     {
-        return dem_dict_number(dict, "speed", "m/s", &wall->drive_speed);
+        return dem_dict_number(dict, "speed", "m/s", &wall->drive.speed);
     }
     DEM_TRY(read_omega(dict, &omega));
     for (int k = 0; k < 3; k++)
     {
-        wall->drive_spin[k] = wall->drive_axis[k]*omega;
+        wall->drive.spin[k] = wall->drive.axis[k]*omega;
     }
     return DEM_OK;
 }
@@ -114,7 +114,7 @@ static int read_surface_velocity(const struct dem_dict *dict, struct dem_wall *w
     static const double zero[3] = {0.0, 0.0, 0.0};
     const struct dem_dict *turn;
 
-    DEM_TRY(dem_dict_vector_or(dict, "surfaceVelocity", "m/s", zero, wall->drive));
+    DEM_TRY(dem_dict_vector_or(dict, "surfaceVelocity", "m/s", zero, wall->drive.velocity));
     DEM_TRY(dem_dict_sub_if(dict, "surfaceRotation", &turn));
     wall->driven = turn || dem_dict_has(dict, "surfaceVelocity");
     return turn ? read_surface_rotation(turn, wall) : DEM_OK;

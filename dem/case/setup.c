@@ -7,7 +7,7 @@
  *    the contact storage and skins.
  * 3. Send particles to their owners; without a snapshot, build the first lists, refuse overlaps,
  *    and compute first forces.
- * 4. Energy balance, averages, timers.
+ * 4. Energy balance, averages, timers, device.
  *
  * With a snapshot the physics is finished after its particles have been read, which bring their own
  * radii.
@@ -20,6 +20,7 @@
 #include "core/memory.h"
 #include "records/snapshot.h"
 #include "case/bond_pairs.h"
+#include "device/device_steps.h"
 #include "records/totals.h"
 #include "particles/orientation.h"
 #include "ranks/collect.h"
@@ -242,6 +243,36 @@ static int place_particles(struct dem_case *c)
     return dem_api_agree(d, dem_api_check_inserted(c));
 }
 
+/* The device of the scene, or a sentence why the CPU makes the steps. */
+static void begin_device(struct dem *d)
+{
+    char why[400];
+
+    if (strcmp(d->scene.device, "cpu") == 0)
+    {
+        return;
+    }
+    snprintf(why, sizeof why, "the run is coupled with a fluid");
+    if (!d->coupled)
+    {
+        dem_device_refusal(&d->state, why, sizeof why);
+    }
+    if (why[0])
+    {
+        snprintf(d->device, sizeof d->device, "the CPU makes all steps, not device %s: %s",
+                 d->scene.device, why);
+    }
+    else if (dem_device_begin(&d->state, d->scene.device) != DEM_OK)
+    {
+        snprintf(d->device, sizeof d->device, "the CPU makes all steps, not device %s: %.800s",
+                 d->scene.device, dem_error_text());
+    }
+    else
+    {
+        snprintf(d->device, sizeof d->device, "%s", dem_device_name(d->state.device));
+    }
+}
+
 static int set_up(struct dem_case *c)
 {
     struct dem *const d = c->d;
@@ -261,6 +292,7 @@ static int set_up(struct dem_case *c)
     DEM_TRY(begin_averages(c));
     dem_timers_begin(d->state.timers, d->state.rebuilds, d->state.prunes, d->state.agreements);
     d->state.halo.refresh_traffic = d->state.halo.in.sent = (struct dem_traffic){0, 0};
+    begin_device(d);
     return DEM_OK;
 }
 

@@ -10,6 +10,7 @@
 #ifndef DEM_CONTACTS_CONTACT_BATCH_H
 #define DEM_CONTACTS_CONTACT_BATCH_H
 
+#include "contacts/gathered.h"
 #include "laws/batch.h"
 
 struct dem_contact_scalars;
@@ -17,21 +18,6 @@ struct dem_contact_scalars;
 enum
 {
     DEM_LANES = 8  /* the number of rows is padded to a multiple of this */
-};
-
-struct dem_gathered
-{
-    /* m    from j (or the nearest point of the wall) to i */
-    _Alignas(64) double rx[DEM_BATCH_ROWS], ry[DEM_BATCH_ROWS], rz[DEM_BATCH_ROWS];
-    /* m/s  v_i - v_j */
-    _Alignas(64) double vx[DEM_BATCH_ROWS], vy[DEM_BATCH_ROWS], vz[DEM_BATCH_ROWS];
-    /* m/s  R_i w_i + R_j w_j */
-    _Alignas(64) double ax[DEM_BATCH_ROWS], ay[DEM_BATCH_ROWS], az[DEM_BATCH_ROWS];
-    /* 1/s  w_i + w_j; 2 w_i at a wall */
-    _Alignas(64) double bx[DEM_BATCH_ROWS], by[DEM_BATCH_ROWS], bz[DEM_BATCH_ROWS];
-    _Alignas(64) double radii[DEM_BATCH_ROWS];         /* m    R_i + R_j */
-    _Alignas(64) double inverse_mass[DEM_BATCH_ROWS];  /* 1/kg summed */
-    _Alignas(64) double radius[DEM_BATCH_ROWS], other[DEM_BATCH_ROWS];  /* m    R_i, R_j */
 };
 
 /* the columns that effects work on, and what they are computed from */

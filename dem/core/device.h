@@ -20,6 +20,9 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
 
+typedef uchar uint8_t;
+typedef ushort uint16_t;
+typedef uint uint32_t;
 typedef ulong uint64_t;
 typedef long int64_t;
 

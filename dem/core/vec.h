@@ -1,14 +1,14 @@
 /*
  * vec.h -- dot product, cross product, difference and norm of vectors of three numbers.
  *
- * For set-up code. Kernels work on columns instead, one component at a time.
+ * For set-up code, and on devices. Kernels work on columns instead, one component at a time.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_CORE_VEC_H
 #define DEM_CORE_VEC_H
 
-#include <math.h>
+#include "core/device.h"
 
 static inline double dem_vec_dot(const double a[3], const double b[3])
 {

@@ -46,6 +46,24 @@ int dem_quiet_test(struct dem *, struct dem_quiet *, const struct dem_totals *);
 /* Collective. A 64-bit hash of particles and contact history, the same on any number of ranks. */
 int dem_hash(struct dem *, uint64_t *hash);
 
+/* ---- device ---------------------------------------------------------------------------------- */
+
+/* What makes the steps, where the scene has an entry `device`: name, platform and driver of the device;
+   or a sentence why the CPU makes them all, with the same bits. "" without the entry. dem_wall_impulse
+   ends the use of a device. */
+const char *dem_device(const struct dem *);
+
+/* Steps that the device has made so far, in so many parts between which the state was copied; steps
+   that it gave up for the CPU, because of an event. Zeros without a device. */
+void dem_device_steps(const struct dem *, int64_t *made, int64_t *parts, int64_t *repeated);
+
+/* Memory [byte] that the device needs for the particles as a dense bed; 0 without a device. */
+double dem_device_bytes(const struct dem *);
+
+/* The devices of this machine as lines of text, or a sentence why there are none. Needs no run;
+   valid until the next call of this thread. */
+const char *dem_devices_text(void);
+
 /* ---- lost particles, streams and outlets ----------------------------------------------------- */
 
 /* Collective. Losses of all ranks since the last call, sorted by time and id; the same list on

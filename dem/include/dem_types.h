@@ -117,7 +117,7 @@ struct dem_start_overlap
 
 enum
 {
-    DEM_PROFILE_PHASES = 11  /* phases of a step, and the time outside dem_advance */
+    DEM_PROFILE_PHASES = 12  /* phases of a step, and the time outside dem_advance */
 };
 
 /* cost of the run since dem_start: dem_profile; docs/output.md explains it */

@@ -11,7 +11,7 @@
 #ifndef DEM_PARTICLES_PERIODIC_IMAGE_H
 #define DEM_PARTICLES_PERIODIC_IMAGE_H
 
-#include <stdint.h>
+#include "core/device.h"
 
 enum
 {
@@ -49,9 +49,9 @@ static inline uint32_t dem_image_add(uint32_t image, int axis, int by)
 static inline int dem_image_difference(uint32_t now, uint32_t before, int axis)
 {
     const uint32_t more = dem_image_part(now, axis) - dem_image_part(before, axis);
-    const int half = 1 << (DEM_IMAGE_BITS - 1);
+    const int middle = 1 << (DEM_IMAGE_BITS - 1);
 
-    return (int)((more + (uint32_t)half) & DEM_IMAGE_MASK) - half;
+    return (int)((more + (uint32_t)middle) & DEM_IMAGE_MASK) - middle;
 }
 
 static inline uint32_t dem_image_of_pair(int shift, uint32_t image_i, uint32_t image_j)

@@ -122,6 +122,9 @@ struct dem_state
     struct dem_energy_balance *energy_balance;
     struct dem_timers *timers;
 
+    /* makes steps in place of the CPU (device/device_steps.h); NULL: none */
+    struct dem_device *device;
+
     /* s  time of the positions; the last time step; limit of the time step of any window */
     double time, dt, max_dt;
     int64_t steps, rebuilds, prunes;

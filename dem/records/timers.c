@@ -181,7 +181,7 @@ const char *dem_phase_name(enum dem_phase phase)
 {
     static const char *const names[DEM_PHASES] = {"drift", "agree", "refresh", "prune",
                                                   "contacts", "sums", "bodies", "rebuild",
-                                                  "averages", "backup", "outside"};
+                                                  "averages", "backup", "device", "outside"};
 
     return names[phase];
 }

@@ -38,6 +38,7 @@ enum dem_phase
     DEM_PHASE_REBUILD = DEM_PHASE_EVERY_STEP,  /* rebuild: migration, order, ghosts, outer list */
     DEM_PHASE_AVERAGES,
     DEM_PHASE_BACKUP,                          /* backups of the state */
+    DEM_PHASE_DEVICE,                        /* steps on a device, and copies of the state */
     DEM_PHASE_OUTSIDE,                       /* between two advances: output, the fluid solver */
     DEM_PHASES
 };

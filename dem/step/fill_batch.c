@@ -11,8 +11,8 @@
 #include "step/fill_batch.h"
 #include "core/math.h"
 #include "core/random.h"
+#include "contacts/geometry.h"
 #include "step/gather_partners.h"
-#include "step/geometry.h"
 #include "walls/wall_surface.h"
 #include <float.h>
 #include <math.h>

@@ -125,10 +125,8 @@ static double two_sided_displacement(const struct dem_walls *w)
     return moves ? w->displacement : 0.0;
 }
 
-int dem_limits_check_displacements(const struct dem_state *state, double max_speed)
+static double min_radius_of(const struct dem_state *state)
 {
-    const double light = dem_particle_max_speed, dt = state->dt;
-    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
     double min_radius = INFINITY;
 
     for (int c = 0; c < state->interaction_table.classes; c++)
@@ -140,6 +138,28 @@ int dem_limits_check_displacements(const struct dem_state *state, double max_spe
                          ? fmin(min_radius, state->interaction_table.min_radius[material])
                          : min_radius;
     }
+    return min_radius;
+}
+
+double dem_limits_max_wall_displacement(const struct dem_state *state)
+{
+    return min_radius_of(state);
+}
+
+double dem_limits_max_speed(const struct dem_state *state)
+{
+    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
+
+    return fmin(fmin(limit, dem_particle_max_speed),
+                (min_radius_of(state) - two_sided_displacement(&state->walls))/state->dt);
+}
+
+int dem_limits_check_displacements(const struct dem_state *state, double max_speed)
+{
+    const double light = dem_particle_max_speed, dt = state->dt;
+    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
+    const double min_radius = min_radius_of(state);
+
     DEM_REQUIRE(
         state->walls.displacement <= min_radius, DEM_ERROR_NUMBER,
         "a wall moves by %.3g m in step %lld at time %g s; the limit is %g m, the radius of the smallest particle, or it may miss a "

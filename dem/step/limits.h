@@ -25,4 +25,10 @@ int dem_limits_check_status(const struct dem_state *);
    speed of light are errors, too. */
 int dem_limits_check_displacements(const struct dem_state *, double max_speed);
 
+/* Largest speed [m/s] with which no particle fails this check. */
+double dem_limits_max_speed(const struct dem_state *);
+
+/* Largest displacement of a wall in a step [m], likewise. */
+double dem_limits_max_wall_displacement(const struct dem_state *);
+
 #endif

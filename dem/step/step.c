@@ -16,6 +16,9 @@
  *
  * All other decisions follow from what all ranks know after the all-reduce.
  *
+ * With a device, phases 4 and 5 of steps that nothing reads are made there, with the drifts between
+ * them (steps_on_device.c).
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/step.h"
@@ -34,6 +37,7 @@
 #include "step/limits.h"
 #include "step/neighbor_update.h"
 #include "step/step_backup.h"
+#include "step/steps_on_device.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
@@ -148,7 +152,8 @@ static int agree(struct dem_state *state, double max_speed, int last,
     u->moved[u->n++] = max_speed*state->dt;
     u->bound += limit*state->dt;
     *n = 0;
-    if (last || u->n == DEM_UNAGREED_STEPS || dem_neighbor_agreement_due(state, u->bound))
+    if (last || u->n == DEM_UNAGREED_STEPS || state->device ||
+        dem_neighbor_agreement_due(state, u->bound))
     {
         DEM_TRY(agree_now(state, max));
         *n = u->n;
@@ -267,13 +272,11 @@ static int sample_averages(struct dem_state *state, int status)
 
 /* ---- the step -------------------------------------------------------------------------------- */
 
-/* The step from `since` [s] to state->time; the last one of a window ends with half a kick. An
-   error of this rank after the agreement, or in a step without one, is kept for the next agreement,
-   so that all ranks stop together. */
-static int step(struct dem_state *state, double since, int last, int *status)
+/* The first half of a step, up to the positions and lists of state->time. An error of this rank
+   after the agreement, or in a step without one, is kept for the next agreement, so that all ranks
+   stop together. */
+static int begin_step(struct dem_state *state, int last, int *status)
 {
-    const double kick = last ? 0.5*state->dt : state->dt;
-    struct dem_body_pass pass;
     double moved[DEM_UNAGREED_STEPS + 1];
     int agreed;
 
@@ -290,6 +293,15 @@ static int step(struct dem_state *state, double since, int last, int *status)
     /* 3. refresh ghosts, prune or rebuild */
     DEM_TRY(dem_neighbor_update(state, moved, agreed, last || state->window.stopped));
     count_work(state);
+    return DEM_OK;
+}
+
+/* The second half: the forces of the step from `since` [s] to state->time, and the kick; the last one
+   of a window is half a kick. */
+static void finish_step(struct dem_state *state, double since, int last, int *status)
+{
+    const double kick = last ? 0.5*state->dt : state->dt;
+    struct dem_body_pass pass;
 
     const struct due due = what_is_due(state, last);
     const struct dem_body_sweep sweep = sweep_options(state, &due, kick);
@@ -305,6 +317,25 @@ static int step(struct dem_state *state, double since, int last, int *status)
 
     /* 6. averages */
     *status = sample_averages(state, *status);
+}
+
+/* Step k of the window, begun at `since` [s]; with a device, also those after it that it makes. *k:
+   the last one made. */
+static int step(struct dem_state *state, double since, int64_t *k, int *status)
+{
+    const int last = *k == state->window.steps;
+    int64_t made = 0;
+
+    DEM_TRY(begin_step(state, last, status));
+    if (state->device && !*status)
+    {
+        DEM_TRY(dem_steps_on_device(state, *k, &made));
+    }
+    if (made == 0)
+    {
+        finish_step(state, since, last, status);
+    }
+    *k += made > 0 ? made - 1 : 0;
     return DEM_OK;
 }
 
@@ -336,7 +367,7 @@ static void tell_progress(struct dem_state *state)
 {
     struct dem_progress *const q = &state->progress;
 
-    if (q->report && state->steps%16 == 0)
+    if (q->report && (state->steps%16 == 0 || state->device))
     {
         const double now = dem_clock_wall();
 
@@ -359,10 +390,9 @@ static int make_steps(struct dem_state *state)
          k++)
     {
         const double since = state->time;
-        const int last = k == state->window.steps;
 
         state->time = state->window.start + (double)k*state->dt;
-        DEM_TRY(step(state, since, last, &status));
+        DEM_TRY(step(state, since, &k, &status));
         tell_progress(state);
     }
     DEM_TRY(dem_agree(state, status));

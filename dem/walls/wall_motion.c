@@ -187,43 +187,7 @@ void dem_motion_displacement(const struct dem_motion *m, double time, double dt,
     }
 }
 
-/* x - x(t - dt) = sin k x d - (1 - cos) k x (k x d), d = x - origin */
-void dem_wall_displacement_velocity(const struct dem_wall_displacement *s, const double x[3],
-                                    double v[3])
-{
-    double d[3], once[3], twice[3];
-
-    dem_vec_minus(x, s->origin, d);
-    dem_vec_cross(s->axis, d, once);
-    dem_vec_cross(s->axis, once, twice);
-    for (int k = 0; k < 3; k++)
-    {
-        v[k] = s->velocity[k] + s->sine_rate*once[k] - s->versine_rate*twice[k];
-    }
-}
-
-void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *s, const double n[3],
-                                       double before[3])
-{
-    double once[3], twice[3];
-
-    dem_vec_cross(s->axis, n, once);
-    dem_vec_cross(s->axis, once, twice);
-    for (int k = 0; k < 3; k++)
-    {
-        before[k] = n[k] - s->sine*once[k] + s->versine*twice[k];
-    }
-}
-
 /* ---- reference frames ------------------------------------------------------------------------ */
-
-void dem_pose_direction(const struct dem_pose *p, const double in[3], double out[3])
-{
-    for (int k = 0; k < 3; k++)
-    {
-        out[k] = dem_vec_dot(p->rotation[k], in);
-    }
-}
 
 void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product)
 {
@@ -252,28 +216,4 @@ void dem_pose_inverse(const struct dem_pose *p, struct dem_pose *inverse)
     {
         inverse->shift[k] = -dem_vec_dot(inverse->rotation[k], p->shift);
     }
-}
-
-void dem_pose_point(const struct dem_pose *p, const double in[3], double out[3])
-{
-    for (int k = 0; k < 3; k++)
-    {
-        out[k] = dem_vec_dot(p->rotation[k], in) + p->shift[k];
-    }
-}
-
-void dem_pose_direction_to_frame(const struct dem_pose *p, const double in[3], double out[3])
-{
-    for (int k = 0; k < 3; k++)
-    {
-        out[k] = p->rotation[0][k]*in[0] + p->rotation[1][k]*in[1] + p->rotation[2][k]*in[2];
-    }
-}
-
-void dem_pose_to_frame(const struct dem_pose *p, const double in[3], double out[3])
-{
-    double d[3];
-
-    dem_vec_minus(in, p->shift, d);
-    dem_pose_direction_to_frame(p, d, out);
 }

@@ -24,6 +24,8 @@
 #ifndef DEM_WALLS_WALL_MOTION_H
 #define DEM_WALLS_WALL_MOTION_H
 
+#include "walls/pose.h"
+
 enum dem_motion_kind
 {
     DEM_MOTION_REST,
@@ -44,23 +46,9 @@ struct dem_motion
     double origin[3], axis[3], omega;       /* m, unit, rad/s: rotation */
 };
 
-struct dem_pose                                           /* of a reference frame: Q and s */
-{
-    double rotation[3][3], shift[3];  /* 1, m */
-};
-
 /* of a frame that is where its wall was given */
 static const struct dem_pose dem_pose_identity = {
     .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-
-/* displacement by a motion over the last step */
-struct dem_wall_displacement
-{
-    double velocity[3];              /* m/s: of translation */
-    double origin[3], axis[3];       /* m, unit: of rotation */
-    double sine, versine;            /* of the angle of rotation: sin, 1 - cos */
-    double sine_rate, versine_rate;  /* 1/s: the same over dt; omega and 0 when dt is 0 */
-};
 
 /* Pose of the reference frame at a time [s]. */
 void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);
@@ -78,23 +66,8 @@ double dem_motion_time_limit(const struct dem_motion *, const char **why);
 void dem_motion_displacement(const struct dem_motion *, double time, double dt,
                              struct dem_wall_displacement *);
 
-/* Velocity [m/s] of the material point of the wall that is at x [m] now. */
-void dem_wall_displacement_velocity(const struct dem_wall_displacement *, const double x[3],
-                                    double v[3]);
-
-/* The direction one step ago of what is now the direction n of the wall. */
-void dem_wall_displacement_rotate_back(const struct dem_wall_displacement *, const double n[3],
-                                       double before[3]);
-
 /* The pose that applies b first, then a; the inverse of a pose. The results must be other structs. */
 void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product);
 void dem_pose_inverse(const struct dem_pose *, struct dem_pose *inverse);
-
-/* From the wall's frame to the global frame: a point, a direction. Back: the same. `in` and `out`
-   must be different arrays. */
-void dem_pose_point(const struct dem_pose *, const double in[3], double out[3]);
-void dem_pose_direction(const struct dem_pose *, const double in[3], double out[3]);
-void dem_pose_to_frame(const struct dem_pose *, const double in[3], double out[3]);
-void dem_pose_direction_to_frame(const struct dem_pose *, const double in[3], double out[3]);
 
 #endif

@@ -75,10 +75,10 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
     const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
     const int rotates = m && m->kind == DEM_MOTION_ROTATION &&
                         is_across(m->axis, axis, 0.0);
-    const double *const about = rotates ? m->axis : of->drive_spin;
+    const double *const about = rotates ? m->axis : of->drive.spin;
     double extent[2];
 
-    if (!rotates && !(of->driven && is_across(of->drive_spin, axis, leaning)))
+    if (!rotates && !(of->driven && is_across(of->drive.spin, axis, leaning)))
     {
         return DEM_OK;
     }

@@ -348,7 +348,7 @@ int dem_wall_search_push_out(struct dem_wall_search *s, const struct dem_walls *
     }
     for (size_t k = neighbors; k < s->neighbors; k++)
     {
-        double normal[3];
+        double normal[3] = {0.0, 0.0, 0.0};
         const double depth =
             w->wall[w->facet[s->neighbor[k].facet].wall].frame >= 0
                 ? 0.0

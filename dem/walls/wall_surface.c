@@ -5,137 +5,9 @@
  */
 #include "walls/wall_surface.h"
 #include "core/vec.h"
+#include "walls/facet_surface.h"
 #include <math.h>
 #include <string.h>
-
-/* Lower limit of 1 - R/A: a hollow wall too narrow for a particle is treated as wider than the
-   particle by this fraction. */
-static const double min_clearance = 1e-3;
-
-static double reduced_radius(const struct dem_facet *r, double radius)
-{
-    const double ratio = radius/r->radius,
-                 bend = r->outside ? 1.0 + ratio : fmax(1.0 - ratio, min_clearance);
-
-    switch (r->shape)
-    {
-    case DEM_SHAPE_SPHERE: return radius/bend;
-    case DEM_SHAPE_CYLINDER: return radius/sqrt(bend);
-    default: return radius;
-    }
-}
-
-/* Sine of the angle between a face and the direction of a belt, below which the face has no
-   direction along it. Above the error of the normals of an STL file in single precision. */
-static const double min_sine = 1e-3;
-
-/* Add a belt's velocity along a face: `direction` projected on the face, with this speed [m/s]. */
-static void add_along_face(const double direction[3], const double normal[3], double speed,
-                           double sum[3])
-{
-    const double across = dem_vec_dot(direction, normal);
-    double along[3];
-
-    for (int k = 0; k < 3; k++)
-    {
-        along[k] = direction[k] - across*normal[k];
-    }
-    const double size = dem_vec_norm(along);
-
-    for (int k = 0; k < 3 && size > min_sine*dem_vec_norm(direction); k++)
-    {
-        sum[k] += along[k]*(speed/size);
-    }
-}
-
-/* Velocity of the surface in itself at the point x, both in the wall's frame: a belt in the
-   direction `drive`, a belt around an axis, a solid that turns:
-
-     |drive| unit(P drive) + speed unit(P (axis x d)) + spin x d
-     d = x - origin,  P v = v - (v.n) n
-
-   n is the normal of the face also where the contact is on its edge, so a ball leaves the end of a
-   belt with the velocity of the belt. */
-static void velocity_in_surface(const struct dem_wall *of, const struct dem_facet *r,
-                                const double x[3], const double contact_normal[3], double own[3])
-{
-    const double *const n =
-        r->shape == DEM_SHAPE_TRIANGLES && !r->bent ? r->normal : contact_normal;
-    double d[3], around[3];
-
-    dem_vec_minus(x, of->drive_origin, d);
-    dem_vec_cross(of->drive_spin, d, own);
-    add_along_face(of->drive, n, dem_vec_norm(of->drive), own);
-    dem_vec_cross(of->drive_axis, d, around);
-    add_along_face(around, n, of->drive_speed, own);
-}
-
-/* Add the motion of a surface in itself, like a conveyor belt. Its component along the normal of
-   the contact is ignored: a surface that slides in itself does not push. */
-static void add_surface_velocity(const struct dem_walls *w, const struct dem_facet *r,
-                                 const struct dem_wall_touch *at, struct dem_wall_surface *surface)
-{
-    const struct dem_wall *const of = &w->wall[r->wall];
-    double run[3], spin[3];
-
-    if (of->frame < 0)
-    {
-        velocity_in_surface(of, r, at->point, at->normal, run);
-        memcpy(spin, of->drive_spin, sizeof spin);
-    }
-    else
-    {
-        const struct dem_pose *const pose = &w->frame[of->frame].pose;
-        double x[3], n[3], own[3];
-
-        dem_pose_to_frame(pose, at->point, x);
-        dem_pose_direction_to_frame(pose, at->normal, n);
-        velocity_in_surface(of, r, x, n, own);
-        dem_pose_direction(pose, own, run);
-        dem_pose_direction(pose, of->drive_spin, spin);
-    }
-    const double along = dem_vec_dot(run, at->normal);
-
-    for (int k = 0; k < 3; k++)
-    {
-        surface->velocity[k] += run[k] - along*at->normal[k];
-        surface->spin[k] += spin[k];
-    }
-}
-
-/* The normal a step ago: of a plane or facet in its orientation then, of a curved wall at the
-   particle's position then. */
-static void normal_before(const struct dem_facet *r, const struct dem_wall_displacement *s,
-                          const double back[3], const struct dem_wall_touch *at, double before[3])
-{
-    double d[3];
-
-    if (r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES)
-    {
-        dem_wall_displacement_rotate_back(s, at->normal, before);
-        return;
-    }
-    /* the particle's distance from the axis or the centre */
-    const double reach = r->outside ? r->radius + at->distance : r->radius - at->distance;
-    double along = 0.0;
-
-    for (int k = 0; k < 3; k++)
-    {
-        d[k] = (r->outside ? reach : -reach)*at->normal[k] - back[k];
-    }
-    for (int k = 0; k < 3 && r->shape == DEM_SHAPE_CYLINDER; k++)
-    {
-        along += d[k]*r->normal[k];
-    }
-    const double size = sqrt(fmax(dem_vec_dot(d, d) - along*along, 0.0));
-
-    for (int k = 0; k < 3; k++)
-    {
-        const double flat = d[k] - (r->shape == DEM_SHAPE_CYLINDER ? along*r->normal[k] : 0.0);
-
-        before[k] = size > 0.0 ? (r->outside ? flat : -flat)/size : at->normal[k];
-    }
-}
 
 static const struct dem_wall_displacement rest;
 
@@ -155,7 +27,9 @@ void dem_wall_surface_motion(const struct dem_walls *w, int facet, const struct 
     }
     if (of->driven)
     {
-        add_surface_velocity(w, &w->facet[facet], at, surface);
+        dem_wall_drive_add(&of->drive, of->frame < 0 ? NULL : &w->frame[of->frame].pose,
+                           &w->facet[facet], at->point, at->normal, surface->velocity,
+                           surface->spin);
     }
 }
 
@@ -167,35 +41,17 @@ void dem_wall_surface_at(const struct dem_walls *w, int facet, const struct dem_
     const struct dem_wall *const of = &w->wall[r->wall];
     const struct dem_wall_displacement *const s =
         of->frame < 0 ? &rest : &w->frame[of->frame].displacement;
-    double back[3], before[3], centre[3] = {0.0, 0.0, 0.0};
+    const struct dem_pose *const pose = of->frame < 0 ? NULL : &w->frame[of->frame].pose;
 
     dem_wall_surface_motion(w, facet, at, 0, surface);
-    if (r->shape == DEM_SHAPE_CYLINDER || r->shape == DEM_SHAPE_SPHERE)
-    {
-        memcpy(centre, r->centre, sizeof centre);
-        if (of->frame >= 0)
-        {
-            dem_pose_point(&w->frame[of->frame].pose, r->centre, centre);
-        }
-        dem_wall_displacement_velocity(s, centre, centre);
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        back[k] = dt*(i->v[k] - centre[k]);
-    }
-    normal_before(r, s, back, at, before);
-    for (int k = 0; k < 3; k++)
-    {
-        surface->half_step_normal[k] = at->normal[k] + before[k];
-    }
-    const double size = dem_vec_norm(surface->half_step_normal);
-
-    for (int k = 0; k < 3; k++)
-    {
-        surface->half_step_normal[k] =
-            size > 0.0 ? surface->half_step_normal[k]/size : at->normal[k];
-    }
-    surface->reduced_radius = reduced_radius(r, i->radius);
+    dem_facet_normal_half_step(
+        r,
+        &(struct dem_facet_step){.displacement = s,
+                                 .pose = pose,
+                                 .v = {i->v[0], i->v[1], i->v[2]},
+                                 .dt = dt},
+        at->normal, at->distance, surface->half_step_normal);
+    surface->reduced_radius = dem_facet_reduced_radius(r, i->radius);
 }
 
 /* ---- walls that follow a mesh ---------------------------------------------------------------- */

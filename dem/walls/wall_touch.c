@@ -48,26 +48,6 @@ int dem_wall_touches_reserve(struct dem_wall_touches *t, const struct dem_wall_s
     return DEM_GROW(t->shared_first, t->shared_capacity, s->neighbors + 1);
 }
 
-/* The whole plane or curved surface of a facet, which sees the particle at `from`. Triangles have two
-   sides, all other shapes one. */
-static inline void touch_whole(const struct dem_facet *r, const double from[3], const double x[3],
-                               struct dem_wall_touch *t)
-{
-    const int flat = r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES;
-    double round[3];
-    const double *const normal = flat ? r->normal : round;
-    const double h =
-        flat ? dem_vec_dot(r->normal, from) - r->offset : dem_facet_height(r, from, round);
-    const double side = r->shape != DEM_SHAPE_TRIANGLES || h >= 0.0 ? 1.0 : -1.0;
-
-    t->distance = side*h;
-    for (int k = 0; k < 3; k++)
-    {
-        t->normal[k] = side*normal[k];
-        t->point[k] = x[k] - h*normal[k];
-    }
-}
-
 static void touch_triangles(const struct dem_wall_search *s, const struct dem_walls *w,
                             const struct dem_wall_neighbor *near, const double x[3], double radius,
                             struct dem_wall_touch *t)
@@ -77,7 +57,8 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
     const double *const from = dem_wall_from_facet(w, near, x, moved);
 
     t->distance = dem_wall_search_nearest(s, w, near, x, t->point, away);
-    touch_whole(&w->facet[near->facet], from, x, &face);
+    face.distance =
+        dem_facet_touch(&w->facet[near->facet], from, x, face.point, face.normal);
     for (int k = 0; k < 3; k++)
     {
         apart[k] = away[k] - face.distance*face.normal[k];
@@ -86,7 +67,7 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
         t->distance == 0.0)
     {
         /* inside a facet: the plane's own normal, free of the round-off at edges */
-        touch_whole(&w->facet[near->facet], from, x, t);
+        t->distance = dem_facet_touch(&w->facet[near->facet], from, x, t->point, t->normal);
         return;
     }
     for (int k = 0; k < 3; k++)
@@ -108,7 +89,8 @@ static void touch_facet(const struct dem_wall_search *s, const struct dem_walls 
 
     if (whole || dem_wall_neighbor_open(w, near))
     {
-        touch_whole(r, dem_wall_from_facet(w, near, x, moved), x, t);
+        t->distance =
+            dem_facet_touch(r, dem_wall_from_facet(w, near, x, moved), x, t->point, t->normal);
     }
     else
     {

@@ -190,34 +190,3 @@ int dem_walls_same_form(const double *a, const double *b, int triangles)
     return fabs(a[6] - b[6]) <= rounding*a[6]
         && dem_vec_norm(moved) <= rounding*(sqrt(a[6]) + dem_vec_norm(a));
 }
-
-/* ---- heights --------------------------------------------------------------------------------- */
-
-double dem_facet_height(const struct dem_facet *r, const double x[3], double normal[3])
-{
-    double d[3], size;
-
-    if (r->shape == DEM_SHAPE_PLANE || r->shape == DEM_SHAPE_TRIANGLES)
-    {
-        memcpy(normal, r->normal, sizeof r->normal);
-        return dem_vec_dot(r->normal, x) - r->offset;
-    }
-    dem_vec_minus(x, r->centre, d);
-    if (r->shape == DEM_SHAPE_CYLINDER)
-    {
-        const double along = dem_vec_dot(d, r->normal);
-
-        for (int k = 0; k < 3; k++)
-        {
-            d[k] -= along*r->normal[k];
-        }
-    }
-    size = dem_vec_norm(d);
-    for (int k = 0; k < 3; k++)
-    {
-        /* on the axis the normal is arbitrary but must be the same on all ranks; no contact is
-           there */
-        normal[k] = size > 0.0 ? (r->outside ? d[k] : -d[k])/size : r->normal[(k + 1)%3];
-    }
-    return r->outside ? size - r->radius : r->radius - size;
-}

@@ -28,17 +28,11 @@
 
 #include "core/name_index.h"
 #include "particles/periodic_image.h"
+#include "walls/facet.h"
+#include "walls/wall_drive.h"
 #include "walls/wall_motion.h"
 #include <stddef.h>
 #include <stdint.h>
-
-enum dem_shape
-{
-    DEM_SHAPE_TRIANGLES,
-    DEM_SHAPE_PLANE,
-    DEM_SHAPE_CYLINDER,           /* without ends */
-    DEM_SHAPE_SPHERE
-};
 
 /* condition of a wall for a particle scalar; all zero: insulated */
 struct dem_wall_scalar
@@ -70,12 +64,9 @@ struct dem_wall
     double point[3], radius;
     /* index of its reference frame in dem_walls, or -1: at rest */
     int frame;
-    /* 1: the surface slides in itself (conveyor), see walls/wall_surface.c */
+    /* 1: the surface slides in itself (conveyor) */
     int driven;
-    /* m/s, 1/s, m, all in the wall's frame */
-    double drive[3], drive_spin[3], drive_origin[3];
-    /* unit, m/s: of a belt around an axis */
-    double drive_axis[3], drive_speed;
+    struct dem_wall_drive drive;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
     /* one for each particle scalar; NULL: insulated for all */
@@ -119,26 +110,6 @@ struct dem_triangle
 struct dem_corner_trajectory
 {
     double from[3][3], to[3][3];  /* m */
-};
-
-struct dem_facet                  /* in the wall's frame */
-{
-    /* unit, m: n.x = offset on the plane; n of a cylinder: its axis */
-    double normal[3], offset;
-    /* m: of a cylinder (any point of its axis) or sphere */
-    double centre[3], radius;
-    int wall, outside;
-    enum dem_shape shape;
-    /* among the facets of all ranks: the key of its contacts */
-    int number;
-    /* 1: it follows a mesh and is no longer plane */
-    uint16_t bent;
-    /* bit k: along axis k it is joined to its own periodic image */
-    uint8_t endless;
-    /* bit k: along axis k a particle may touch two of its images */
-    uint8_t distinct;
-    /* `index` of the largest triangle of the surface given, whose plane the facet has */
-    uint32_t largest;
 };
 
 /* a triangle and the plane of its facet, as one rank hands it to another */
@@ -349,10 +320,6 @@ size_t dem_walls_count_triangles(const struct dem_walls *);
 
 /* The wall that has the facet of this number. */
 int dem_walls_with_facet(const struct dem_walls *, int number);
-
-/* Height [m] of x, in the wall's frame, over the unbounded surface of a facet, negative behind it,
-   and the unit normal there. */
-double dem_facet_height(const struct dem_facet *, const double x[3], double normal[3]);
 
 /* ---- a part of the triangles ----------------------------------------------------------------- */
 

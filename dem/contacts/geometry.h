@@ -1,6 +1,6 @@
 /*
  * geometry.h -- normals, overlap and relative motion of one contact row, from the gathered data of
- * its partners.
+ * its partners. Devices compile it, too.
  *
  * With n from j to i, the contact point lies at x_i - a_i n and x_j + a_j n. The lever arms a are R
  * - overlap/2 at a pair (their sum is the distance, which conserves angular momentum) and R -
@@ -8,25 +8,23 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_GEOMETRY_H
-#define DEM_STEP_GEOMETRY_H
+#ifndef DEM_CONTACTS_GEOMETRY_H
+#define DEM_CONTACTS_GEOMETRY_H
 
-#include "core/math.h"
+#include "contacts/gathered.h"
 #include "laws/row.h"
-#include "contacts/contact_batch.h"
-#include <math.h>
 
 /* Of a pair: the normals of now and of half a step ago, the raw overlap (negative where there is a
    gap), reduced radius and mass, the smaller radius. All quotients come from one division, because
    divisions and square roots take half of the time of a contact. */
-static inline __attribute__((always_inline)) void dem_geometry_pair(const struct dem_gathered *g,
-                            int c, double dt, struct dem_contact_row *r)
+DEM_MATH void dem_geometry_pair(const struct dem_gathered *g, int c, double dt,
+                                struct dem_contact_row *r)
 {
     const double x = g->rx[c], y = g->ry[c], z = g->rz[c], distance = sqrt(x*x + y*y + z*z);
-    const double half = (0.5*dt), rx = x, ry = y,
+    const double half_dt = (0.5*dt), rx = x, ry = y,
                    rz = z, d = distance;
-    const double hx = rx - half*g->vx[c], hy = ry - half*g->vy[c],
-                   hz = rz - half*g->vz[c];
+    const double hx = rx - half_dt*g->vx[c], hy = ry - half_dt*g->vy[c],
+                   hz = rz - half_dt*g->vz[c];
     const double h = sqrt(hx*hx + hy*hy + hz*hz), nonzero_d = dem_select(d > 0, d, 1),
                    nonzero_h = dem_select(h > 0, h, 1);
     const double radii = g->radii[c], over_mass = g->inverse_mass[c];
@@ -51,9 +49,8 @@ static inline __attribute__((always_inline)) void dem_geometry_pair(const struct
 /* Overlap, touching mask and relative motion from the raw overlap in r.
    `spin_factor` times half of the gathered sum of spins is the mean spin of both partners: 1 at a
    pair, 1/2 at a wall. */
-static inline __attribute__((always_inline)) void
-dem_geometry_motion(const struct dem_gathered *g, int c, double spin_factor,
-                    struct dem_contact_row *r)
+DEM_MATH void dem_geometry_motion(const struct dem_gathered *g, int c, double spin_factor,
+                                  struct dem_contact_row *r)
 {
     const double raw = r->overlap, touch = dem_select(raw > 0, 1, 0),
                    overlap = dem_select(raw > 0, raw, 0);

@@ -1,0 +1,127 @@
+/*
+ * device_columns.c -- the columns of particles in a fluid on the device, one after the other in one
+ * memory.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "device/device_columns.h"
+#include "core/error.h"
+
+/* Columns that the kernel of particles reads; in `changes` steps add to them. */
+static const struct
+{
+    enum dem_column_name column;
+    const char *name;
+    int changes;
+} list[] = {
+    {DEM_COLUMN_FLUID_VELOCITY, "FLUID_VELOCITY", 0},
+    {DEM_COLUMN_PRESSURE_GRADIENT, "PRESSURE_GRADIENT", 0},
+    {DEM_COLUMN_VOID_FRACTION, "VOID_FRACTION", 0},
+    {DEM_COLUMN_FLUID_DENSITY, "FLUID_DENSITY", 0},
+    {DEM_COLUMN_FLUID_ACCELERATION, "FLUID_ACCELERATION", 0},
+    {DEM_COLUMN_VORTICITY, "VORTICITY", 0},
+    {DEM_COLUMN_STRESS, "STRESS", 0},
+    {DEM_COLUMN_MEAN_DIAMETER, "MEAN_DIAMETER", 0},
+    {DEM_COLUMN_ADDED_MASS, "ADDED_MASS", 0},
+    {DEM_COLUMN_VOIDAGE_FACTOR_FIRST, "VOIDAGE_FACTOR_FIRST", 0},
+    {DEM_COLUMN_VOIDAGE_FACTOR_SECOND, "VOIDAGE_FACTOR_SECOND", 0},
+    {DEM_COLUMN_SLIP_FACTOR, "SLIP_FACTOR", 0},
+    {DEM_COLUMN_START_VELOCITY, "START_VELOCITY", 0},
+    {DEM_COLUMN_CARRIED_OVER_IMPULSE, "CARRIED_OVER_IMPULSE", 0},
+    {DEM_COLUMN_DRAG_IMPULSE, "DRAG_IMPULSE", 1},
+    {DEM_COLUMN_DECAY_FACTOR, "DECAY_FACTOR", 1},
+    {DEM_COLUMN_DRAG_TIME, "DRAG_TIME", 1},
+    {DEM_COLUMN_OTHER_IMPULSE, "OTHER_IMPULSE", 1},
+    {DEM_COLUMN_ANGULAR_IMPULSE, "ANGULAR_IMPULSE", 1},
+};
+
+enum
+{
+    /* the last: viscosity, the only scalar of a batch */
+    COLUMNS = (int)(sizeof list/sizeof *list) + 1
+};
+
+struct column
+{
+    const char *name;
+    const struct dem_column *of;    /* NULL: these particles have none */
+    int changes;
+};
+
+static struct column column_at(const struct dem_particles *p, int k)
+{
+    const struct dem_column *const of =
+        k < COLUMNS - 1   ? &p->column[list[k].column]
+        : p->batch.n == 1 ? &p->column[p->batch.at[0].column]
+                          : NULL;
+
+    return (struct column){.name = k < COLUMNS - 1 ? list[k].name : "VISCOSITY",
+                           .of = of && of->data ? of : NULL,
+                           .changes = k < COLUMNS - 1 ? list[k].changes : 0};
+}
+
+int dem_device_columns_text(const struct dem_particles *p, struct dem_text *text)
+{
+    size_t before = 0;
+
+    for (int k = 0; k < COLUMNS; k++)
+    {
+        const struct column c = column_at(p, k);
+
+        if (c.of)
+        {
+            dem_text_add(text, "#define COLUMN_%s %zu\n", c.name, before);
+            before += (size_t)c.of->width;
+        }
+    }
+    return dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
+}
+
+size_t dem_device_columns_width(const struct dem_particles *p)
+{
+    size_t width = 0;
+
+    for (int k = 0; k < COLUMNS; k++)
+    {
+        const struct column c = column_at(p, k);
+
+        width += c.of ? (size_t)c.of->width : 0;
+    }
+    return width;
+}
+
+/* Each column, or those that change, one way or the other. */
+static int copy(struct dem_opencl *cl, const struct dem_opencl_memory *m,
+                const struct dem_particles *p, int back)
+{
+    size_t before = 0;
+
+    for (int k = 0; k < COLUMNS; k++)
+    {
+        const struct column c = column_at(p, k);
+        const size_t bytes = c.of ? (size_t)c.of->width*p->n*sizeof(double) : 0;
+
+        if (c.of && !back)
+        {
+            DEM_TRY(dem_opencl_write(cl, m, before, bytes, c.of->data));
+        }
+        if (c.of && back && c.changes)
+        {
+            DEM_TRY(dem_opencl_read(cl, m, before, bytes, c.of->data));
+        }
+        before += bytes;
+    }
+    return DEM_OK;
+}
+
+int dem_device_put_columns(struct dem_opencl *cl, const struct dem_opencl_memory *m,
+                           const struct dem_particles *p)
+{
+    return copy(cl, m, p, 0);
+}
+
+int dem_device_get_columns(struct dem_opencl *cl, const struct dem_opencl_memory *m,
+                           const struct dem_particles *p)
+{
+    return copy(cl, m, p, 1);
+}

@@ -1,0 +1,26 @@
+/*
+ * device_columns.h -- the columns of particles in a fluid on the device.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_DEVICE_COLUMNS_H
+#define DEM_DEVICE_DEVICE_COLUMNS_H
+
+#include "core/text.h"
+#include "device/opencl_device.h"
+#include "particles/particles.h"
+
+/* #define COLUMN_<NAME> of each column that these particles have, for fluid.cl: numbers per particle
+   before it. Returns 1 when there is a fluid. */
+int dem_device_columns_text(const struct dem_particles *, struct dem_text *);
+
+/* Numbers per particle of all of them. */
+size_t dem_device_columns_width(const struct dem_particles *);
+
+/* All columns to the device; those that change back. */
+int dem_device_put_columns(struct dem_opencl *, const struct dem_opencl_memory *,
+                           const struct dem_particles *);
+int dem_device_get_columns(struct dem_opencl *, const struct dem_opencl_memory *,
+                           const struct dem_particles *);
+
+#endif

@@ -1,0 +1,97 @@
+/*
+ * device_internal.h -- what is on the device: for the files device_*.c.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_DEVICE_INTERNAL_H
+#define DEM_DEVICE_DEVICE_INTERNAL_H
+
+#include "device/device_steps.h"
+#include "device/opencl_device.h"
+#include "device/shared.h"
+#include "laws/interaction_table.h"
+
+enum
+{
+    DEM_DEVICE_CLASSES = DEM_PARTNERS*DEM_MATERIALS*DEM_MATERIALS
+};
+
+/* contact rows, with what goes from one step and one list to the next */
+struct dem_device_rows
+{
+    struct dem_opencl_memory partners, start, entry, touch, history;
+    uint32_t rows, walls;               /* walls: the first row of a wall */
+    uint32_t first[DEM_DEVICE_CLASSES + 1];    /* row of each class; the last: rows */
+};
+
+enum dem_device_list_kernel
+{
+    DEM_LISTS_IMAGES, DEM_LISTS_CELLS, DEM_LISTS_ORDER, DEM_LISTS_COUNT, DEM_LISTS_FIND,
+    DEM_LISTS_ROWS, DEM_LISTS_ENTRIES, DEM_LISTS_HISTORY, DEM_LISTS_DISPLACEMENT, DEM_LISTS_REFER,
+    DEM_SCAN_CLEAR, DEM_SCAN_BLOCKS, DEM_SCAN_SUMS, DEM_SCAN_FINISH, DEM_LISTS_TOTALS,
+    DEM_LISTS_KERNELS
+};
+
+struct dem_device
+{
+    struct dem_opencl *cl;
+    char name[400];
+    int classes;
+    struct dem_opencl_kernel *of_rows[DEM_DEVICE_CLASSES], *bodies, *clear;
+    struct dem_opencl_kernel *of_lists[DEM_LISTS_KERNELS];
+
+    /* constants, a batch of steps and its report */
+    struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class;
+    struct dem_opencl_memory batch, report;
+    /* of particles, and a copy from before the batch */
+    struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
+    /* of rows: the present lists and those before; results of a step; a copy */
+    struct dem_device_rows list[2];
+    int at;
+    struct dem_opencl_memory force, moment, energy, before_touch, before_history;
+    /* of lists that are made */
+    struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
+        image, totals, largest;
+
+    int makes_lists;                    /* 1: sizes are such that the device makes lists, too */
+    int own;                            /* 1: the present lists are made here, not on the host */
+    int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */
+    int64_t host_until;                 /* up to this step the host makes the steps */
+    double last_speed;                  /* m/s  largest of the last drift */
+    double min_skin, max_skin;          /* m */
+    struct dem_device_counts counts;
+    struct dem_device_report seen;
+    struct dem_device_frame *frame;     /* of the steps of a batch */
+    size_t frames_capacity;
+    double *speed;
+    uint32_t *word;                     /* scratch */
+    size_t speeds, words;
+};
+
+/* device_open.c: skin [m] of the next lists, for particles of up to this speed [m/s]. */
+double dem_device_skin(const struct dem_device *, double speed, double dt);
+
+/* device_state.c: the host's lists and state to the device; the state back, with rows of the host's
+   lists, or as saved history. */
+int dem_device_put(struct dem_device *, const struct dem_state *);
+int dem_device_get(struct dem_device *, struct dem_state *);
+int dem_device_reserve_rows(struct dem_device *, const struct dem_state *, uint32_t rows);
+
+/* device_lists.c: constants of lists; new lists from the present positions, with this skin [m]
+   (outside: 1 when a particle has left the domain, so that the host has to look); largest
+   displacement [m] since the lists were made; the present positions as its reference. */
+int dem_device_begin_lists(struct dem_device *, const struct dem_state *);
+int dem_device_make_lists(struct dem_device *, const struct dem_state *, double skin,
+                          int *outside);
+int dem_device_displacement(struct dem_device *, const struct dem_state *, double *moved);
+int dem_device_refer(struct dem_device *, const struct dem_state *);
+
+/* device_walls.c: walls move along with the steps of a batch. */
+int dem_device_move_walls(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
+                          struct dem_device_batch *, uint32_t *n, double skin);
+void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *);
+
+/* All memory in turn, for k from 0; NULL past the last. */
+struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);
+
+#endif

@@ -1,0 +1,343 @@
+/*
+ * device_lists.c -- new neighbor lists on the device (lists.cl), from where its particles are.
+ *
+ * The numbers of rows and entries are known after they have been counted, so the host reads them once
+ * for each list.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "core/error.h"
+#include "core/memory.h"
+#include "device/device_internal.h"
+#include "sources/flows.h"
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    SCAN_BLOCK = 16*DEM_DEVICE_GROUP,   /* SCAN_ITEMS of scan.cl times the items of a group */
+    SIZE_RATIO = 5                      /* with more, cells of one grid hold too many of the small */
+};
+
+/* ---- constants --------------------------------------------------------------------------------- */
+
+/* Classes of pairs by both materials; of walls by facet and material. */
+static int put_classes(struct dem_device *d, const struct dem_state *state)
+{
+    const struct dem_interaction_table *const t = &state->interaction_table;
+    const struct dem_walls *const w = &state->walls;
+    const size_t m = DEM_MATERIALS, pairs = m*m, walls = m*(size_t)w->facets;
+
+    DEM_TRY(DEM_GROW(d->word, d->words, pairs + walls));
+    for (size_t a = 0; a < m; a++)
+    {
+        for (size_t b = 0; b < m; b++)
+        {
+            d->word[a*m + b] = (uint32_t)t->class_of[DEM_PARTNER_PARTICLE][a][b];
+        }
+        for (size_t f = 0; f < (size_t)w->facets; f++)
+        {
+            const struct dem_wall *const wall = &w->wall[w->facet[f].wall];
+
+            d->word[pairs + f*m + a] =
+                (uint32_t)t->class_of[DEM_PARTNER_WALL + wall->frictionless][a][wall->material];
+        }
+    }
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->pair_class, pairs*sizeof *d->word));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->wall_class, walls*sizeof *d->word));
+    DEM_TRY(dem_opencl_write(d->cl, &d->pair_class, 0, pairs*sizeof *d->word, d->word));
+    return dem_opencl_write(d->cl, &d->wall_class, 0, walls*sizeof *d->word, d->word + pairs);
+}
+
+static int put_drives(struct dem_device *d, const struct dem_walls *w)
+{
+    const size_t size = sizeof(struct dem_wall_drive);
+
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->drives, (size_t)w->walls*size));
+    for (int k = 0; k < w->walls; k++)
+    {
+        DEM_TRY(dem_opencl_write(d->cl, &d->drives, (size_t)k*size, size, &w->wall[k].drive));
+    }
+    return DEM_OK;
+}
+
+/* A facet names the frame and the drive of its wall. */
+static int put_facets(struct dem_device *d, const struct dem_walls *w)
+{
+    const size_t bytes = (size_t)w->facets*sizeof *w->facet;
+    struct dem_facet *facet;
+
+    DEM_TRY(DEM_NEW(facet, w->facets + 1));
+    memcpy(facet, w->facet, bytes);
+    for (int k = 0; k < w->facets; k++)
+    {
+        const int wall = w->facet[k].wall;
+
+        facet[k].wall = w->wall[wall].frame;
+        facet[k].number = w->wall[wall].driven ? wall : -1;
+    }
+    int status = dem_opencl_reserve(d->cl, &d->facets, bytes);
+
+    status = status ? status : dem_opencl_write(d->cl, &d->facets, 0, bytes, facet);
+    dem_memory_free(facet);
+    return status;
+}
+
+int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
+{
+    const struct dem_interaction_table *const t = &state->interaction_table;
+    double min = INFINITY;
+
+    for (int m = 0; m < t->materials; m++)
+    {
+        min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
+    }
+    d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !state->domain.remove &&
+                     state->flows->n == 0;
+    DEM_TRY(put_facets(d, &state->walls));
+    DEM_TRY(put_drives(d, &state->walls));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));
+    return put_classes(d, state);
+}
+
+/* ---- the grid ---------------------------------------------------------------------------------- */
+
+/* Extent [m] of the cells along an axis without period: of the particles when the host last had
+   them. What is outside falls into the outermost cells. */
+static void extent_of(const struct dem_state *state, int axis, double extent[2])
+{
+    extent[0] = INFINITY;
+    extent[1] = -INFINITY;
+    for (size_t i = 0; i < state->particles.n; i++)
+    {
+        extent[0] = fmin(extent[0], state->particles.record[i].x[axis]);
+        extent[1] = fmax(extent[1], state->particles.record[i].x[axis]);
+    }
+}
+
+/* Cells that are not smaller than `edge` [m], no more than a few a particle. */
+static void choose_cells(const struct dem_state *state, double edge, struct dem_device_lists *l)
+{
+    const struct dem_domain *const domain = &state->domain;
+    double extent[3][2], count;
+
+    for (int k = 0; k < 3; k++)
+    {
+        extent_of(state, k, extent[k]);
+        if (domain->periodic[k])
+        {
+            extent[k][0] = domain->min[k];
+            extent[k][1] = domain->min[k] + domain->length[k];
+        }
+    }
+    do
+    {
+        count = 1.0;
+        for (int k = 0; k < 3; k++)
+        {
+            const double length = fmax(extent[k][1] - extent[k][0], 0.0);
+
+            l->cells[k] = (int)fmin(fmax(floor(length/edge), 1.0), 1 << 20);
+            l->origin[k] = extent[k][0];
+            l->over_edge[k] = length > 0.0 ? l->cells[k]/length : 0.0;
+            count *= l->cells[k];
+        }
+        edge *= 1.2;
+    }
+    while (count > 4.0*(double)state->particles.n + 64.0);
+}
+
+static struct dem_device_lists constants_of(const struct dem_device *d,
+                                            const struct dem_state *state, double skin)
+{
+    const struct dem_domain *const domain = &state->domain;
+    const struct dem_device_rows *const old = &d->list[d->at];
+    struct dem_device_lists l;
+
+    memset(&l, 0, sizeof l);
+    l.gap = state->pairs.reach + skin;
+    choose_cells(state, (2.0*state->pairs.max_radius + l.gap)*(1.0 + 1e-6), &l);
+    for (int k = 0; k < 3; k++)
+    {
+        l.periodic[k] = domain->periodic[k];
+        l.min[k] = domain->min[k];
+        l.max[k] = domain->max[k];
+        l.length[k] = domain->length[k];
+        l.unit[k] = domain->unit[k];
+    }
+    l.particles = (uint32_t)state->particles.n;
+    l.facets = (uint32_t)state->walls.facets;
+    l.materials = DEM_MATERIALS;
+    l.columns = (uint32_t)state->interaction_table.history_columns;
+    l.old_stride = old->rows;
+    l.old_walls = old->walls;
+    l.keep_all = state->interaction_table.past_touching;
+    return l;
+}
+
+/* ---- sums -------------------------------------------------------------------------------------- */
+
+static int clear(struct dem_device *d, struct dem_opencl_memory *m, size_t n)
+{
+    struct dem_opencl_kernel *const k = d->of_lists[DEM_SCAN_CLEAR];
+
+    DEM_TRY(dem_opencl_reserve(d->cl, m, (n + 1)*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)(n + 1)));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, m));
+    return dem_opencl_launch(d->cl, k, n + 1);
+}
+
+/* Exclusive sums of n numbers in place; their sum after the last. */
+static int scan(struct dem_device *d, struct dem_opencl_memory *m, size_t n)
+{
+    const size_t blocks = (n + SCAN_BLOCK - 1)/SCAN_BLOCK;
+    struct dem_opencl_kernel *const *const k = d->of_lists;
+
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->sums, (blocks + 1)*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_BLOCKS], 0, (uint32_t)n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_BLOCKS], 1, m, &d->sums));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_SCAN_BLOCKS], blocks*DEM_DEVICE_GROUP));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_SUMS], 0, (uint32_t)blocks));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_SUMS], 1, &d->sums));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_SCAN_SUMS], DEM_DEVICE_GROUP));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_FINISH], 0, (uint32_t)n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_FINISH], 1, m, &d->sums));
+    return dem_opencl_launch(d->cl, k[DEM_SCAN_FINISH], blocks*DEM_DEVICE_GROUP);
+}
+
+/* ---- the lists --------------------------------------------------------------------------------- */
+
+/* Images of the old rows; then particles wrapped, and ordered by cell. */
+static int sort_particles(struct dem_device *d, const struct dem_device_lists *l)
+{
+    struct dem_opencl_kernel *const *const k = d->of_lists;
+    struct dem_device_rows *const old = &d->list[d->at];
+    const size_t n = l->particles,
+                 cells = (size_t)l->cells[0]*(size_t)l->cells[1]*(size_t)l->cells[2];
+
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->image, (size_t)old->rows*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->cell, n*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->place, n*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->order, n*sizeof(uint32_t)));
+    DEM_TRY(clear(d, &d->first, cells));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 0, old->rows));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 1, old->walls));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_IMAGES], 2, &d->record, &old->partners, &d->image));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_IMAGES], old->walls));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_CELLS], 0, &d->lists, &d->record, &d->reference,
+                            &d->cell, &d->place, &d->first, &d->largest));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_CELLS], n));
+    DEM_TRY(scan(d, &d->first, cells));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ORDER], 0, &d->lists, &d->cell, &d->place, &d->first,
+                            &d->order));
+    return dem_opencl_launch(d->cl, k[DEM_LISTS_ORDER], n);
+}
+
+/* Count rows and entries; the host reads their numbers, and memory for them is reserved. */
+static int count(struct dem_device *d, const struct dem_state *state, struct dem_device_rows *list)
+{
+    struct dem_opencl_kernel *const *const k = d->of_lists;
+    const size_t n = state->particles.n, classes = (size_t)d->classes;
+    uint32_t entries;
+
+    DEM_TRY(clear(d, &list->start, n));
+    DEM_TRY(clear(d, &d->row_first, classes*n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_COUNT], 0, &d->lists, &d->record, &d->first,
+                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+                            &d->row_first));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_COUNT], n));
+    DEM_TRY(scan(d, &list->start, n));
+    DEM_TRY(scan(d, &d->row_first, classes*n));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_TOTALS], 0, (uint32_t)n));
+    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_TOTALS], 1, (uint32_t)classes));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_TOTALS], 2, &d->row_first, &list->start, &d->totals));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_TOTALS], classes + 1));
+    DEM_TRY(dem_opencl_read(d->cl, &d->totals, 0, (classes + 1)*sizeof *list->first, list->first));
+    DEM_TRY(dem_opencl_read(d->cl, &d->totals, (classes + 1)*sizeof entries, sizeof entries,
+                            &entries));
+    list->rows = list->first[classes];
+    list->walls = list->rows;
+    for (int c = d->classes - 1; c >= 0 && state->interaction_table.list[c].pair.with_wall; c--)
+    {
+        list->walls = list->first[c];
+    }
+    DEM_TRY(dem_opencl_reserve(d->cl, &list->entry, entries*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->partner, entries*sizeof(uint32_t)));
+    return dem_opencl_reserve(d->cl, &list->partners, 2*(size_t)list->rows*sizeof(uint32_t));
+}
+
+static int fill(struct dem_device *d, const struct dem_state *state, struct dem_device_rows *list,
+                struct dem_device_rows *old)
+{
+    struct dem_opencl_kernel *const *const k = d->of_lists;
+    const size_t n = state->particles.n;
+
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_FIND], 0, &d->lists, &d->record, &d->first,
+                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+                            &d->partner));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_FIND], n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ROWS], 0, &d->lists, &d->record, &d->pair_class,
+                            &d->wall_class, &list->start, &d->partner, &d->row_first,
+                            &list->partners, &list->entry));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_ROWS], n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ENTRIES], 0, &d->lists, &d->record, &list->start,
+                            &d->partner, &list->entry));
+    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_ENTRIES], n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_HISTORY], 0, &d->lists, &d->record, &list->start,
+                            &d->partner, &list->entry, &old->start, &old->entry, &old->partners,
+                            &d->image, &old->touch, &old->history, &list->touch, &list->history));
+    return dem_opencl_launch(d->cl, k[DEM_LISTS_HISTORY], n);
+}
+
+int dem_device_make_lists(struct dem_device *d, const struct dem_state *state, double skin,
+                          int *outside)
+{
+    struct dem_device_rows *const old = &d->list[d->at], *const list = &d->list[1 - d->at];
+    struct dem_device_lists l = constants_of(d, state, skin);
+    uint32_t left = 0;
+
+    DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
+    DEM_TRY(dem_opencl_write(d->cl, &d->largest, 0, sizeof left, &left));
+    DEM_TRY(sort_particles(d, &l));
+    DEM_TRY(count(d, state, list));
+    DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof left, &left));
+    *outside = left != 0;
+    d->at = 1 - d->at;
+    DEM_TRY(dem_device_reserve_rows(d, state, list->rows));
+    l.stride = list->rows;
+    DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
+    d->own = 1;
+    d->counts.lists++;
+    return fill(d, state, list, old);
+}
+
+/* ---- displacements ----------------------------------------------------------------------------- */
+
+int dem_device_displacement(struct dem_device *d, const struct dem_state *state, double *moved)
+{
+    struct dem_opencl_kernel *const k = d->of_lists[DEM_LISTS_DISPLACEMENT];
+    uint32_t bits = 0;
+    float square;
+
+    DEM_TRY(dem_opencl_write(d->cl, &d->largest, 0, sizeof bits, &bits));
+    DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)state->particles.n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, &d->record, &d->reference, &d->largest));
+    DEM_TRY(dem_opencl_launch(d->cl, k, state->particles.n));
+    DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof bits, &bits));
+    memcpy(&square, &bits, sizeof square);
+    *moved = sqrt((double)square);
+    return DEM_OK;
+}
+
+int dem_device_refer(struct dem_device *d, const struct dem_state *state)
+{
+    struct dem_opencl_kernel *const k = d->of_lists[DEM_LISTS_REFER];
+    const size_t n = state->particles.n;
+
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*n*sizeof(double)));
+    DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)n));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, &d->record, &d->reference));
+    return dem_opencl_launch(d->cl, k, n);
+}

@@ -1,0 +1,271 @@
+/*
+ * device_steps.c -- make steps on a device.
+ *
+ * A step is one kernel for each pair class and one for the particles, in this order; the queue keeps
+ * it. After up to DEM_DEVICE_BATCH steps the host reads a report. A step of which the lists might
+ * miss a contact is left out by the kernels themselves, and so are all after it. Then displacements
+ * are measured, and lists are made anew if they are used up.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "device/device_steps.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "device/device_columns.h"
+#include "device/device_internal.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- batches of steps -------------------------------------------------------------------------- */
+
+static uint32_t rows_of_class(const struct dem_device *d, int k)
+{
+    const struct dem_device_rows *const list = &d->list[d->at];
+
+    return list->first[k + 1] - list->first[k];
+}
+
+/* All arguments but the number of the step, which is the third one. */
+static int give_arguments(struct dem_device *d)
+{
+    struct dem_device_rows *const list = &d->list[d->at];
+
+    for (int k = 0; k < d->classes; k++)
+    {
+        DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 0, &d->batch, &d->report));
+        DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 3, list->first[k]));
+        DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
+        DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
+                                &d->facets, &list->touch, &list->history, &d->force, &d->moment,
+                                &d->energy, &d->frames, &d->columns, &d->drives));
+    }
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
+    return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,
+                           &d->force, &d->moment, &d->energy, &list->start, &list->entry, &d->lost,
+                           &d->axes, &d->frames, &d->columns);
+}
+
+static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
+{
+    for (int k = 0; k < d->classes; k++)
+    {
+        if (rows_of_class(d, k) > 0)
+        {
+            DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 2, s));
+            DEM_TRY(dem_opencl_launch(d->cl, d->of_rows[k], rows_of_class(d, k)));
+        }
+    }
+    DEM_TRY(dem_opencl_give_number(d->cl, d->bodies, 2, s));
+    return dem_opencl_launch(d->cl, d->bodies, state->particles.n);
+}
+
+/* Copy what a batch changes; back: to where it was before the batch. */
+static int copy_state(struct dem_device *d, const struct dem_state *state, int back)
+{
+    struct dem_device_rows *const list = &d->list[d->at];
+    const size_t n = state->particles.n, rows = list->rows;
+    const struct
+    {
+        struct dem_opencl_memory *now, *before;
+        size_t bytes;
+    } part[] = {{&d->record, &d->before_record, n*sizeof *state->particles.record},
+                {&d->lost, &d->before_lost, n*sizeof(double)},
+                {&d->columns, &d->before_columns,
+                 n*dem_device_columns_width(&state->particles)*sizeof(double)},
+                {&list->touch, &d->before_touch, rows},
+                {&list->history, &d->before_history,
+                 rows*(size_t)state->interaction_table.history_columns*sizeof(double)}};
+
+    for (size_t k = 0; k < sizeof part/sizeof *part; k++)
+    {
+        DEM_TRY(dem_opencl_copy(d->cl, back ? part[k].before : part[k].now,
+                                back ? part[k].now : part[k].before, part[k].bytes));
+    }
+    return DEM_OK;
+}
+
+struct progress    /* of the steps of an advance */
+{
+    double moved;    /* m  displacement since the lists were made, at most */
+    double skin;     /* m  of the device's lists; 0: they are the host's */
+    double rest;     /* m  displacement up to which they are valid, with the walls where they were */
+};
+
+static struct dem_device_batch batch_of(const struct dem_device *d, const struct dem_state *state,
+                                        const struct dem_device_steps *steps,
+                                        const struct progress *p)
+{
+    return (struct dem_device_batch){
+        .dt = state->dt,
+        .inverse_dt = 1.0/state->dt,
+        .max_dt = state->max_dt,
+        .window_start = state->window.start,
+        .over_window = state->window.length > 0.0 ? 1.0/state->window.length : 0.0,
+        .first = steps->first + steps->made,
+        /* a margin for rounding: the host decides */
+        .max_overlap = state->limits.limit*(1.0 - 0x1p-20),
+        .overlap = (float)state->limits.overlap,
+        .start = (float)(p->moved*(1.0 + 1e-6)),
+        .particles = (uint32_t)state->particles.n,
+        .stride = d->list[d->at].rows,
+        .walls = d->list[d->at].walls};
+}
+
+/* A batch of up to *n steps; *made: how many. Its report is in d->seen. */
+static int make_batch(struct dem_device *d, struct dem_state *state,
+                      const struct dem_device_steps *steps, struct progress *p, uint32_t *n,
+                      uint32_t *made)
+{
+    struct dem_device_batch batch = batch_of(d, state, steps, p);
+
+    memset(&d->seen, 0, sizeof d->seen);
+    d->seen.overlap = batch.overlap;
+    d->seen.event_step = UINT32_MAX;
+    DEM_TRY(dem_device_move_walls(d, state, steps, &batch, n, p->skin));
+    DEM_TRY(copy_state(d, state, 0));
+    DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
+    DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
+    DEM_TRY(give_arguments(d));
+    for (uint32_t s = 0; s < *n; s++)
+    {
+        DEM_TRY(launch_step(d, state, s));
+    }
+    DEM_TRY(dem_opencl_read(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
+    for (*made = 0; *made < *n && d->seen.bound[*made] <= batch.limit[*made]; ++*made)
+    {
+    }
+    p->rest = *n > 0 ? (double)batch.limit[*made < *n ? *made : *n - 1] : 0.0;
+    return DEM_OK;
+}
+
+/* The speeds of a batch. Returns 1 when a drift between two steps was too fast for the device. The
+   last drift of all is checked by the host, which has its positions then. */
+static int add_speeds(struct dem_device *d, const struct dem_device_steps *steps, uint32_t made,
+                      double dt, struct progress *p)
+{
+    int fast = made > 0 && steps->made > 0 && !(d->last_speed <= steps->max_speed);
+
+    for (uint32_t s = 0; s < made; s++)
+    {
+        const double speed = sqrt((double)d->seen.fastest[s]);
+
+        fast |= s + 1 < made && !(speed <= steps->max_speed);
+        d->speed[steps->made + s] = speed;
+        p->moved += speed*dt;
+    }
+    return fast;
+}
+
+/* Steps of the next batch: as many as the lists are likely to allow. */
+static uint32_t batch_size(const struct dem_device *d, const struct dem_device_steps *steps,
+                           const struct progress *p, double dt)
+{
+    const double rest = fmax(p->rest - p->moved, 0.0),
+                 likely = d->last_speed > 0.0 ? 1.05*rest/(d->last_speed*dt) + 2.0
+                                              : DEM_DEVICE_BATCH;
+
+    return (uint32_t)fmin(fmin(likely, DEM_DEVICE_BATCH), (double)(steps->most - steps->made));
+}
+
+/* One batch. *end: 1 when the host has to go on, from the state before the batch. */
+static int advance_batch(struct dem_device *d, struct dem_state *state,
+                         struct dem_device_steps *steps, struct progress *p, int *end)
+{
+    const uint32_t wanted = batch_size(d, steps, p, state->dt);
+    uint32_t n = wanted, made;
+
+    DEM_TRY(make_batch(d, state, steps, p, &n, &made));
+    const int fast = n < wanted || add_speeds(d, steps, made, state->dt, p);
+
+    if (d->seen.events || fast)
+    {
+        const uint32_t until = fast || d->seen.event_step >= n ? n : d->seen.event_step + 1;
+
+        *end = 1;
+        /* state->steps is the first step's */
+        d->host_until = state->steps + steps->made + until - 1;
+        d->counts.repeated += until;
+        return copy_state(d, state, 1);
+    }
+    d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
+    steps->made += made;
+    state->limits.overlap = fmax(state->limits.overlap, (double)d->seen.overlap);
+    return DEM_OK;
+}
+
+/* The lists may be used up: measure, and make new ones if more than half of the displacement is. */
+static int renew_lists(struct dem_device *d, struct dem_state *state,
+                       const struct dem_device_steps *steps, struct progress *p, int *end)
+{
+    struct dem_device_batch next = batch_of(d, state, steps, p);
+    uint32_t one = 1;
+
+    DEM_TRY(dem_device_displacement(d, state, &p->moved));
+    if (p->moved <= 0.5*p->rest)
+    {
+        return DEM_OK;
+    }
+    *end = !d->makes_lists;
+    if (d->makes_lists)
+    {
+        p->skin = dem_device_skin(d, d->last_speed, state->dt);
+        /* to the position of the next step, whose lists these are */
+        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin));
+        for (enum dem_list l = 0; l < DEM_LISTS; l++)
+        {
+            dem_walls_reset_marks(&state->walls, l);
+        }
+        DEM_TRY(dem_device_make_lists(d, state, p->skin, end));
+        p->moved = 0.0;
+        p->rest = 0.5*p->skin;
+    }
+    return DEM_OK;
+}
+
+/* Steps and lists, until all are made or the host has to go on. */
+static int make_steps(struct dem_device *d, struct dem_state *state,
+                      struct dem_device_steps *steps)
+{
+    struct progress p = {.rest = steps->rest(state)};
+    int end = 0;
+
+    while (!end && steps->made < steps->most && !steps->ends(state, steps->made))
+    {
+        const int64_t before = steps->made;
+
+        if (p.moved <= p.rest)
+        {
+            DEM_TRY(advance_batch(d, state, steps, &p, &end));
+        }
+        if (!end && steps->made < steps->most && (p.moved > p.rest || steps->made == before))
+        {
+            DEM_TRY(renew_lists(d, state, steps, &p, &end));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
+{
+    struct dem_device *const d = state->device;
+
+    steps->made = 0;
+    if (state->steps <= d->host_until)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
+    steps->speed = d->speed;
+    DEM_TRY(dem_device_put(d, state));
+    DEM_TRY(dem_device_refer(d, state));
+    DEM_TRY(make_steps(d, state, steps));
+    dem_device_leave_walls(state, steps);
+    if (steps->made == 0)
+    {
+        /* nothing has changed on the host, and the device has its lists */
+        return DEM_OK;
+    }
+    d->counts.steps += steps->made;
+    d->counts.parts++;
+    return dem_device_get(d, state);
+}

@@ -1,0 +1,69 @@
+/*
+ * device_steps.h -- steps on a device, with the same bits as on the CPU.
+ *
+ * The host owns the state between advances. Within an advance it makes the steps that something
+ * reads: the last one of a window, samples, backups. From a step on whose lists are valid the device
+ * makes the steps up to the next of these: the state goes up, steps and new lists are made, the state
+ * comes down (dem_device_advance). Whatever reads the state finds it on the host, and files do not
+ * know of the device.
+ *
+ * Events that the host has to report or to handle take the device back to the state before its last
+ * batch of steps; the host makes the steps up to the event from there.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_DEVICE_STEPS_H
+#define DEM_DEVICE_DEVICE_STEPS_H
+
+#include "ranks/dem_state.h"
+
+struct dem_device;
+
+/* Why the steps of this run cannot be made on a device, as a sentence, or "". */
+void dem_device_refusal(const struct dem_state *, char *why, size_t size);
+
+/* Open the device (opencl_device.h: wanted), build the program, and compare its bits with the CPU's if
+   this program has not been tested with this driver. An error is a sentence; the state is unchanged
+   then. */
+int dem_device_begin(struct dem_state *, const char *wanted);
+void dem_device_free(struct dem_state *);
+
+/* Device and driver. */
+const char *dem_device_name(const struct dem_device *);
+
+/* Memory that these particles need as a dense bed [byte]. */
+double dem_device_memory(const struct dem_state *);
+
+/* The skins of the next lists, for particles of up to this speed [m/s]. */
+void dem_device_set_skins(struct dem_state *, double speed);
+
+/* 1: the device makes lists itself, so that it begins with any. */
+int dem_device_makes_lists(const struct dem_device *);
+
+struct dem_device_counts
+{
+    int64_t steps, parts;     /* made on the device, in so many parts between copies of the state */
+    int64_t lists;            /* neighbor lists made on the device */
+    int64_t repeated;         /* given up by the device, for an event that the host handles */
+};
+void dem_device_count(const struct dem_device *, struct dem_device_counts *);
+
+struct dem_device_steps
+{
+    int64_t first, most;      /* number of the first step in the window; so many steps, at most */
+    /* m  of a particle, from its position now, up to which the host's lists are valid, with the walls
+       where they are */
+    double (*rest)(const struct dem_state *);
+    double max_displacement;  /* m  of a wall in a step, above which the host makes it */
+    double max_speed;         /* m/s  of a particle, above which the host makes the step */
+    /* called after each batch of steps; 1: end here */
+    int (*ends)(struct dem_state *, int64_t made);
+    int64_t made;             /* result: 0: the host has to make the first one */
+    const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
+};
+
+/* Make steps from a state whose positions and lists are those of the first step. After it positions
+   are those of the step after the last one made. */
+int dem_device_advance(struct dem_state *, struct dem_device_steps *);
+
+#endif

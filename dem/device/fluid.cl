@@ -1,0 +1,125 @@
+/*
+ * fluid.cl -- a particle in a fluid: what its laws read, the kick with drag, and the impulses that are
+ * passed to the fluid. step/sweep_bodies.c has the formulas, and the same operations in the same
+ * order.
+ *
+ * The host defines COLUMN_<NAME>, the place of each column of the scene (device_columns.c), and
+ * WHOLE_DRAG.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "laws/fluid/drag.h"
+
+#define SCALAR(name) columns[(size_t)(COLUMN_##name)*n + i]
+#define VECTOR(name, k) columns[(size_t)(COLUMN_##name)*n + 3*(size_t)i + (k)]
+#define LOAD_VECTOR(name, x, y, z)                                                             \
+    do                                                                                         \
+    {                                                                                          \
+        r->x = VECTOR(name, 0);                                                                \
+        r->y = VECTOR(name, 1);                                                                \
+        r->z = VECTOR(name, 2);                                                                \
+    } while (0)
+
+/* What the laws read; forces begin with the contacts' and the impulse carried over. */
+static void dem_fluid_begin(global const double *restrict columns, uint n, uint i,
+                            double over_window, struct dem_body_row *r)
+{
+    r->volume = 4.0/3.0*3.14159265358979323846*r->radius*r->radius*r->radius;
+    r->drag = r->drag_ux = r->drag_uy = r->drag_uz = r->rx = r->ry = r->rz = 0.0;
+    r->spin_drag = r->spin_drag_wx = r->spin_drag_wy = r->spin_drag_wz = 0.0;
+    LOAD_VECTOR(FLUID_VELOCITY, ux, uy, uz);
+    LOAD_VECTOR(PRESSURE_GRADIENT, gx, gy, gz);
+#ifdef COLUMN_FLUID_ACCELERATION
+    LOAD_VECTOR(FLUID_ACCELERATION, ax, ay, az);
+#endif
+#ifdef COLUMN_VORTICITY
+    LOAD_VECTOR(VORTICITY, ox, oy, oz);
+#endif
+#ifdef COLUMN_STRESS
+    LOAD_VECTOR(STRESS, sx, sy, sz);
+#endif
+    r->void_fraction = SCALAR(VOID_FRACTION);
+    r->density = SCALAR(FLUID_DENSITY);
+#ifdef COLUMN_MEAN_DIAMETER
+    r->mean_diameter = SCALAR(MEAN_DIAMETER);
+#endif
+#ifdef COLUMN_ADDED_MASS
+    r->added_mass = SCALAR(ADDED_MASS);
+#endif
+#ifdef COLUMN_VISCOSITY
+    r->viscosity = SCALAR(VISCOSITY);
+#endif
+#ifdef COLUMN_VOIDAGE_FACTOR_FIRST
+    r->voidage_factor[0] = SCALAR(VOIDAGE_FACTOR_FIRST);
+    r->voidage_factor[1] = SCALAR(VOIDAGE_FACTOR_SECOND);
+#endif
+    r->fx += over_window*VECTOR(CARRIED_OVER_IMPULSE, 0);
+    r->fy += over_window*VECTOR(CARRIED_OVER_IMPULSE, 1);
+    r->fz += over_window*VECTOR(CARRIED_OVER_IMPULSE, 2);
+}
+
+/* The kick over h of velocities; v: also 1/m. */
+static void dem_fluid_kick(global double *restrict columns, uint n, uint i, double h,
+                           struct dem_body_row *r, double4 *v)
+{
+    const double4 before = *v;
+
+#if WHOLE_DRAG
+    const double over = 1.0/dem_drag_void_fraction(r->void_fraction);
+
+    r->drag *= over;
+    r->drag_ux *= over;
+    r->drag_uy *= over;
+    r->drag_uz *= over;
+    r->rx *= over;
+    r->ry *= over;
+    r->rz *= over;
+#endif
+#ifdef COLUMN_OTHER_IMPULSE
+    r->fx += r->rx;
+    r->fy += r->ry;
+    r->fz += r->rz;
+#endif
+    const double particle_drag = r->drag, extra = (SCALAR(SLIP_FACTOR) - 1.0)*r->drag;
+
+    r->drag += extra;
+    r->drag_ux += extra*VECTOR(START_VELOCITY, 0);
+    r->drag_uy += extra*VECTOR(START_VELOCITY, 1);
+    r->drag_uz += extra*VECTOR(START_VELOCITY, 2);
+
+    const double z = r->drag*h*v->w, phi = dem_phi(z), step = phi*h*v->w;
+    const double dx = r->drag_ux - r->drag*v->x, dy = r->drag_uy - r->drag*v->y,
+                 dz = r->drag_uz - r->drag*v->z;
+
+    v->x += step*(r->fx + dx);
+    v->y += step*(r->fy + dy);
+    v->z += step*(r->fz + dz);
+    VECTOR(DRAG_IMPULSE, 0) += h*(phi*dx - (1.0 - phi)*r->fx);
+    VECTOR(DRAG_IMPULSE, 1) += h*(phi*dy - (1.0 - phi)*r->fy);
+    VECTOR(DRAG_IMPULSE, 2) += h*(phi*dz - (1.0 - phi)*r->fz);
+    SCALAR(DECAY_FACTOR) *= 1.0 - z*phi;
+    SCALAR(DRAG_TIME) += particle_drag*h;
+#ifdef COLUMN_OTHER_IMPULSE
+    const double added =
+#ifdef COLUMN_ADDED_MASS
+        r->added_mass;
+#else
+        0.0;
+#endif
+    VECTOR(OTHER_IMPULSE, 0) += h*r->rx - added*(v->x - before.x);
+    VECTOR(OTHER_IMPULSE, 1) += h*r->ry - added*(v->y - before.y);
+    VECTOR(OTHER_IMPULSE, 2) += h*r->rz - added*(v->z - before.z);
+#endif
+}
+
+#ifdef COLUMN_ANGULAR_IMPULSE
+/* The kick of one component of the spin by the contact torque M and rotational drag. */
+static double dem_fluid_turn(global double *restrict impulse, double h, double over, double drag,
+                             double target, double M, double w)
+{
+    const double z = drag*h*over, phi = dem_phi(z), step = phi*h*over, by = target - drag*w;
+
+    *impulse += h*(phi*by - (1.0 - phi)*M);
+    return w + step*(M + by);
+}
+#endif

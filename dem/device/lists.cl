@@ -1,0 +1,437 @@
+/*
+ * lists.cl -- new neighbor lists on the device: pairs within the outer skin, the entries that each
+ * particle sums, and the history of the pairs that stay.
+ *
+ * Particles are wrapped and counted into cells that are not smaller than the longest reach of a pair.
+ * Each particle looks at its own and the 26 cells around it, across periodic faces with the shift of
+ * the image. It lists its partners by id, then by shift; then the facets that it is near. Rows are
+ * numbered by pair class, then by the particle with the lower id, then by partner. So lists depend on
+ * positions and ids only.
+ *
+ * An entry of a list is a particle or facet, and above it the shift code of the pair (as the particle
+ * with the lower id sees it), or FACET.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "particles/periodic_image.h"
+
+#define FACET 31u
+#define SHIFT_BITS 27
+
+static ulong dem_bits(global const double4 *restrict record, uint i)
+{
+    return as_ulong(record[4*(size_t)i + 3].z);    /* material, flags, image */
+}
+
+static long dem_id(global const double4 *restrict record, uint i)
+{
+    return as_long(record[4*(size_t)i + 3].y);
+}
+
+static uint dem_material(ulong bits) { return (uint)bits & 0xffffu; }
+static uint dem_frozen(ulong bits) { return (uint)(bits >> 16) & 1u; }    /* DEM_PARTICLE_FROZEN */
+static uint dem_image(ulong bits) { return (uint)(bits >> 32); }
+
+/* Before particles are wrapped: the image of each pair, which stays. */
+kernel void lists_images(uint rows, uint walls, global const double4 *restrict record,
+                         global const uint2 *restrict partners, global uint *restrict image)
+{
+    const uint row = get_global_id(0);
+
+    if (row < walls && row < rows)
+    {
+        const uint j = partners[row].y & ((1u << SHIFT_BITS) - 1);
+
+        image[row] = dem_image_of_pair((int)(partners[row].y >> SHIFT_BITS),
+                                       dem_image(dem_bits(record, partners[row].x)),
+                                       dem_image(dem_bits(record, j)));
+    }
+}
+
+static int dem_cell_of(constant struct dem_device_lists *l, int axis, double x)
+{
+    const double at = (x - l->origin[axis])*l->over_edge[axis];
+
+    return at > 0.0 ? (int)fmin(at, (double)(l->cells[axis] - 1)) : 0;
+}
+
+/* Wrap (as dem_domain_wrap), take the position as reference of displacements, count into a cell.
+   outside: 1 when a particle has left the domain. */
+kernel void lists_cells(constant struct dem_device_lists *l, global double4 *restrict record,
+                        global double4 *restrict reference, global uint *restrict cell,
+                        global uint *restrict place, global uint *restrict count,
+                        global uint *outside)
+{
+    const uint i = get_global_id(0);
+
+    if (i >= l->particles)
+    {
+        return;
+    }
+    const double4 at = record[4*(size_t)i];
+    double x[3] = {at.x, at.y, at.z};
+    double4 rest = record[4*(size_t)i + 3];
+    uint image = dem_image(as_ulong(rest.z));
+    int c[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        /* what is further away is lost: the host says so */
+        if (l->periodic[k] && fabs(x[k] - l->min[k]) < 1024.0*l->length[k])
+        {
+            x[k] = l->unit[k]*rint(x[k]/l->unit[k]);
+            while (x[k] < l->min[k])
+            {
+                x[k] += l->length[k];
+                image = dem_image_add(image, k, -1);
+            }
+            while (x[k] >= l->max[k])
+            {
+                x[k] -= l->length[k];
+                image = dem_image_add(image, k, 1);
+            }
+        }
+        if (!(x[k] >= l->min[k] && x[k] <= l->max[k]))
+        {
+            *outside = 1;
+        }
+        c[k] = dem_cell_of(l, k, x[k]);
+    }
+    rest.z = as_double((as_ulong(rest.z) & 0xffffffffu) | (ulong)image << 32);
+    record[4*(size_t)i] = reference[i] = (double4)(x[0], x[1], x[2], at.w);
+    record[4*(size_t)i + 3] = rest;
+    cell[i] = (uint)((c[2]*l->cells[1] + c[1])*l->cells[0] + c[0]);
+    place[i] = atomic_inc((volatile global uint *)count + cell[i]);
+}
+
+kernel void lists_order(constant struct dem_device_lists *l, global const uint *restrict cell,
+                        global const uint *restrict place, global const uint *restrict first,
+                        global uint *restrict order)
+{
+    const uint i = get_global_id(0);
+
+    if (i < l->particles)
+    {
+        order[first[cell[i]] + place[i]] = i;
+    }
+}
+
+/* ---- partners of a particle -------------------------------------------------------------------- */
+
+/* Insert a partner into a sorted list. */
+static void dem_insert_partner(global const double4 *restrict record, global uint *list, uint n,
+                               uint partner, long id)
+{
+    uint at = n;
+
+    for (; at > 0; at--)
+    {
+        const uint before = list[at - 1];
+        const long other = dem_id(record, before & ((1u << SHIFT_BITS) - 1));
+
+        if (other < id || (other == id && before >> SHIFT_BITS < partner >> SHIFT_BITS))
+        {
+            break;
+        }
+        list[at] = before;
+    }
+    list[at] = partner;
+}
+
+/* A partner that may be near: counted in its class if the row is this particle's, and inserted into
+   the list unless that is NULL. Returns 1 if it is one. */
+static uint dem_try_partner(constant struct dem_device_lists *l,
+                            global const double4 *restrict record, global const int *classes,
+                            uint i, uint j, const int s[3], global uint *rows, global uint *list,
+                            uint n)
+{
+    const double4 a = record[4*(size_t)i], b = record[4*(size_t)j];
+    const double dx = a.x - b.x + s[0]*l->length[0], dy = a.y - b.y + s[1]*l->length[1],
+                 dz = a.z - b.z + s[2]*l->length[2], reach = a.w + b.w + l->gap;
+    const ulong bits_i = dem_bits(record, i), bits_j = dem_bits(record, j);
+
+    if (i == j || !(dx*dx + dy*dy + dz*dz < reach*reach) ||
+        (dem_frozen(bits_i) && dem_frozen(bits_j)))
+    {
+        return 0;
+    }
+    const long id_i = dem_id(record, i), id_j = dem_id(record, j);
+    const int first = id_i < id_j, sign = first ? 1 : -1;
+
+    if (list)
+    {
+        const uint code = (uint)dem_shift_code(sign*s[0], sign*s[1], sign*s[2]);
+
+        dem_insert_partner(record, list, n, j | code << SHIFT_BITS, id_j);
+    }
+    else if (first)
+    {
+        rows[(size_t)classes[dem_material(bits_i)*l->materials + dem_material(bits_j)]*l->particles +
+             i]++;
+    }
+    return 1;
+}
+
+/* All particles near this one. Returns their number. */
+static uint dem_find_partners(constant struct dem_device_lists *l,
+                              global const double4 *restrict record,
+                              global const uint *restrict first, global const uint *restrict order,
+                              global const int *classes, uint i, global uint *rows,
+                              global uint *list)
+{
+    const double4 x = record[4*(size_t)i];
+    const int at[3] = {dem_cell_of(l, 0, x.x), dem_cell_of(l, 1, x.y), dem_cell_of(l, 2, x.z)};
+    uint n = 0;
+
+    for (int near = 0; near < 27; near++)
+    {
+        int c[3] = {at[0] + near%3 - 1, at[1] + near/3%3 - 1, at[2] + near/9 - 1}, s[3], inside = 1;
+
+        for (int k = 0; k < 3; k++)
+        {
+            const int low = c[k] < 0, high = c[k] >= l->cells[k];
+
+            s[k] = low - high;    /* r = x_i - x_j + s L */
+            inside &= l->periodic[k] || !(low | high);
+            c[k] += s[k]*l->cells[k];
+        }
+        if (!inside)
+        {
+            continue;
+        }
+        const uint cell = (uint)((c[2]*l->cells[1] + c[1])*l->cells[0] + c[0]);
+
+        for (uint e = first[cell]; e < first[cell + 1]; e++)
+        {
+            n += dem_try_partner(l, record, classes, i, order[e], s, rows, list, n);
+        }
+    }
+    return n;
+}
+
+/* The facets near a particle; frozen ones have none. Returns their number. */
+static uint dem_find_facets(constant struct dem_device_lists *l,
+                            global const double4 *restrict record,
+                            global const struct dem_facet *restrict facets,
+                            global const struct dem_device_frame *restrict frames,
+                            global const int *wall_classes, uint i, global uint *rows,
+                            global uint *list)
+{
+    const double4 x = record[4*(size_t)i];
+    const double at[3] = {x.x, x.y, x.z};
+    const ulong bits = dem_bits(record, i);
+    uint n = 0;
+
+    for (uint f = 0; f < l->facets && !dem_frozen(bits); f++)
+    {
+        double point[3], normal[3];
+
+        if (dem_wall_touch(facets + f, frames, at, point, normal) < x.w + l->gap)
+        {
+            if (list)
+            {
+                list[n] = f | FACET << SHIFT_BITS;
+            }
+            else
+            {
+                rows[(size_t)wall_classes[f*l->materials + dem_material(bits)]*l->particles + i]++;
+            }
+            n++;
+        }
+    }
+    return n;
+}
+
+kernel void lists_count(constant struct dem_device_lists *l, global const double4 *restrict record,
+                        global const uint *restrict first, global const uint *restrict order,
+                        global const int *classes, global const int *wall_classes,
+                        global const struct dem_facet *restrict facets,
+                        global const struct dem_device_frame *restrict frames, global uint *entries,
+                        global uint *rows)
+{
+    const uint i = get_global_id(0);
+
+    if (i < l->particles)
+    {
+        entries[i] = dem_find_partners(l, record, first, order, classes, i, rows, 0) +
+                     dem_find_facets(l, record, facets, frames, wall_classes, i, rows, 0);
+    }
+}
+
+kernel void lists_find(constant struct dem_device_lists *l, global const double4 *restrict record,
+                       global const uint *restrict first, global const uint *restrict order,
+                       global const int *classes, global const int *wall_classes,
+                       global const struct dem_facet *restrict facets,
+                       global const struct dem_device_frame *restrict frames,
+                       global const uint *restrict start, global uint *list)
+{
+    const uint i = get_global_id(0);
+
+    if (i < l->particles)
+    {
+        global uint *const own = list + start[i];
+        const uint n = dem_find_partners(l, record, first, order, classes, i, 0, own);
+
+        dem_find_facets(l, record, facets, frames, wall_classes, i, 0, own + n);
+    }
+}
+
+/* ---- rows -------------------------------------------------------------------------------------- */
+
+/* Number the rows of each particle; next: the next row of each class and particle. */
+kernel void lists_rows(constant struct dem_device_lists *l, global const double4 *restrict record,
+                       global const int *classes, global const int *wall_classes,
+                       global const uint *restrict start, global const uint *restrict list,
+                       global uint *next, global uint2 *restrict partners,
+                       global uint *restrict entry)
+{
+    const uint i = get_global_id(0);
+
+    for (uint e = i < l->particles ? start[i] : 0; i < l->particles && e < start[i + 1]; e++)
+    {
+        const uint j = list[e] & ((1u << SHIFT_BITS) - 1),
+                   material = dem_material(dem_bits(record, i));
+        const int wall = list[e] >> SHIFT_BITS == FACET;
+
+        if (wall || dem_id(record, i) < dem_id(record, j))
+        {
+            const int c = wall ? wall_classes[j*l->materials + material]
+                               : classes[material*l->materials + dem_material(dem_bits(record, j))];
+            const uint row = next[(size_t)c*l->particles + i]++;
+
+            partners[row] = (uint2)(i, wall ? j : list[e]);
+            entry[e] = 2*row;
+        }
+    }
+}
+
+/* The entries of the partners with higher ids: found in the list of the other. */
+kernel void lists_entries(constant struct dem_device_lists *l,
+                          global const double4 *restrict record, global const uint *restrict start,
+                          global const uint *restrict list, global uint *entry)
+{
+    const uint i = get_global_id(0);
+
+    for (uint e = i < l->particles ? start[i] : 0; i < l->particles && e < start[i + 1]; e++)
+    {
+        const uint j = list[e] & ((1u << SHIFT_BITS) - 1), code = list[e] >> SHIFT_BITS;
+
+        if (code != FACET && dem_id(record, j) < dem_id(record, i))
+        {
+            uint at = start[j];
+
+            while (list[at] != (i | code << SHIFT_BITS))
+            {
+                at++;
+            }
+            entry[e] = entry[at] + 1;
+        }
+    }
+}
+
+/* History of the rows that stay, zero for others. keep_all: laws act past touching, so that the
+   history of rows that do not touch counts. */
+kernel void lists_history(constant struct dem_device_lists *l,
+                          global const double4 *restrict record, global const uint *restrict start,
+                          global const uint *restrict list, global const uint *restrict entry,
+                          global const uint *restrict old_start,
+                          global const uint *restrict old_entry,
+                          global const uint2 *restrict old_partners,
+                          global const uint *restrict old_image,
+                          global const uchar *restrict old_touch,
+                          global const double *restrict old_history,
+                          global uchar *restrict touch, global double *restrict history)
+{
+    const uint i = get_global_id(0);
+
+    for (uint e = i < l->particles ? start[i] : 0; i < l->particles && e < start[i + 1]; e++)
+    {
+        const uint j = list[e] & ((1u << SHIFT_BITS) - 1), code = list[e] >> SHIFT_BITS,
+                   row = entry[e] >> 1;
+        const int wall = code == FACET;
+        uint was = UINT_MAX;
+
+        if (entry[e] & 1)
+        {
+            continue;
+        }
+        const uint image = wall ? 0 : dem_image_of_pair((int)code, dem_image(dem_bits(record, i)),
+                                                        dem_image(dem_bits(record, j)));
+
+        for (uint o = old_start[i]; o < old_start[i + 1] && was == UINT_MAX; o++)
+        {
+            const uint r = old_entry[o] >> 1;
+            const uint other = old_partners[r].y & ((1u << SHIFT_BITS) - 1);
+
+            was = !(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == j &&
+                          (wall || old_image[r] == image)
+                      ? r
+                      : UINT_MAX;
+        }
+        const int known = was != UINT_MAX && old_touch[was];
+
+        touch[row] = l->keep_all || known;
+        for (uint m = 0; (known || l->keep_all) && m < l->columns; m++)
+        {
+            history[(size_t)m*l->stride + row] =
+                known ? old_history[(size_t)m*l->old_stride + was] : 0.0;
+        }
+    }
+}
+
+/* Largest displacement^2 since the lists were made, rounded up. */
+kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
+void lists_displacement(uint particles, global const double4 *restrict record,
+                        global const double4 *restrict reference, global uint *largest)
+{
+    local uint part[DEM_DEVICE_GROUP];
+    const uint i = get_global_id(0), l = get_local_id(0);
+
+    part[l] = 0;
+    if (i < particles)
+    {
+        const double4 d = record[4*(size_t)i] - reference[i];
+
+        part[l] = as_uint(convert_float_rtp(d.x*d.x + d.y*d.y + d.z*d.z));
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint d = DEM_DEVICE_GROUP/2; d > 0; d /= 2)
+    {
+        if (l < d)
+        {
+            part[l] = max(part[l], part[l + d]);
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+    if (l == 0)
+    {
+        atomic_max((volatile global uint *)largest, part[0]);
+    }
+}
+
+kernel void lists_refer(uint particles, global const double4 *restrict record,
+                        global double4 *restrict reference)
+{
+    const uint i = get_global_id(0);
+
+    if (i < particles)
+    {
+        reference[i] = record[4*(size_t)i];
+    }
+}
+
+/* The first row of each class, the number of rows, the number of entries. */
+kernel void lists_totals(uint particles, uint classes, global const uint *restrict rows,
+                         global const uint *restrict start, global uint *restrict totals)
+{
+    const uint c = get_global_id(0);
+
+    if (c <= classes)
+    {
+        totals[c] = rows[(size_t)c*particles];
+    }
+    if (c == 0)
+    {
+        totals[classes + 1] = start[particles];
+    }
+}

@@ -1,0 +1,391 @@
+/*
+ * program.c -- compose the program of a device.
+ *
+ * The texts are those that the core itself is compiled from (texts.h): an #include of one of them is
+ * replaced by the text, the first time; templates (.cl) each time. Settings are constants of the
+ * program, as the bits of the prepared struct; a comment has the numbers.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "device/program.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "device/device_columns.h"
+#include "device/texts.h"
+#include "laws/effects.h"
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+enum
+{
+    TEXTS = 200                   /* limit of the texts of a program */
+};
+
+struct composer
+{
+    struct dem_text *out;
+    const struct dem_device_text *included[TEXTS];
+    int n;
+    int viscosity;                /* 1: particles have the viscosity of the fluid around them */
+};
+
+/* ---- texts ------------------------------------------------------------------------------------- */
+
+/* The text whose name ends in this. */
+static const struct dem_device_text *find_text(const char *name, size_t length)
+{
+    for (const struct dem_device_text *t = dem_device_texts; t->name; t++)
+    {
+        const size_t n = strlen(t->name);
+
+        if (n >= length && memcmp(t->name + n - length, name, length) == 0)
+        {
+            return t;
+        }
+    }
+    return NULL;
+}
+
+static int is_new(struct composer *c, const struct dem_device_text *t)
+{
+    for (int k = 0; k < c->n; k++)
+    {
+        if (c->included[k] == t)
+        {
+            return 0;
+        }
+    }
+    if (c->n < TEXTS && !strstr(t->name, ".cl"))
+    {
+        c->included[c->n++] = t;
+    }
+    return 1;
+}
+
+/* Append a line of a text. An #include is left out; *name: what it names. */
+static void add_line(struct composer *c, const char *line, size_t length, const char **name,
+                     size_t *name_length)
+{
+    static const char begin[] = "#include ";
+    const char *const end = line + length;
+
+    *name = NULL;
+    if (length <= sizeof begin || memcmp(line, begin, sizeof begin - 1) != 0)
+    {
+        dem_text_add(c->out, "%.*s\n", (int)length, line);
+        return;
+    }
+    if (line[sizeof begin - 1] == '"')
+    {
+        *name = line + sizeof begin;
+        *name_length = (size_t)((const char *)memchr(*name, '"', (size_t)(end - *name)) - *name);
+    }
+}
+
+/* Texts follow where the line that includes them stood. Headers that are not among them are for the
+   host. */
+static int include(struct composer *c, const struct dem_device_text *first)
+{
+    enum { DEPTH = 16 };
+
+    const char *at[DEPTH];
+    int depth = 0;
+
+    at[0] = first && is_new(c, first) ? first->text : "";
+    while (depth >= 0)
+    {
+        const char *const line = at[depth];
+        const size_t length = strcspn(line, "\n");
+        const char *name;
+        size_t name_length = 0;
+
+        if (!*line)
+        {
+            depth--;
+            continue;
+        }
+        at[depth] = line + length + (line[length] == '\n');
+        add_line(c, line, length, &name, &name_length);
+        const struct dem_device_text *const t = name ? find_text(name, name_length) : NULL;
+
+        if (t && is_new(c, t))
+        {
+            DEM_REQUIRE(depth + 1 < DEPTH, DEM_ERROR_STATE, "%s is included in a circle", t->name);
+            at[++depth] = t->text;
+        }
+    }
+    return c->out->status;
+}
+
+static int include_name(struct composer *c, const char *name)
+{
+    return include(c, find_text(name, strlen(name)));
+}
+
+/* ---- laws ------------------------------------------------------------------------------------ */
+
+#define LAW_NAME(name) {&dem_##name, #name},
+static const struct
+{
+    const struct dem_effect *effect;
+    const char *name;
+} laws[] = {DEM_EFFECT_ROWS(LAW_NAME)};
+
+/* The name of a law in C. */
+static const char *law_name(const struct dem_effect *e)
+{
+    for (size_t k = 0; k < sizeof laws/sizeof *laws; k++)
+    {
+        if (laws[k].effect == e)
+        {
+            return laws[k].name;
+        }
+    }
+    return "";
+}
+
+static const struct dem_device_text *law_text(const struct dem_effect *e)
+{
+    char file[100];
+
+    snprintf(file, sizeof file, "/%s.h", law_name(e));
+    return find_text(file, strlen(file));
+}
+
+const char *dem_device_effect_refusal(const struct dem_effect *e)
+{
+    return !law_text(e) || e->eddies ? "has no text for devices"
+           : e->scalars              ? "exchanges a particle scalar"
+                                     : NULL;
+}
+
+/* The settings of an effect: settings_<class>_<k>, a constant of the program. */
+static void add_settings(struct composer *c, const char *class, int k,
+                         const struct dem_effect_entry *e)
+{
+    const size_t words = (e->effect->size + 7)/8;
+
+    if (e->effect->size == 0)
+    {
+        return;
+    }
+    dem_text_add(c->out, "constant ulong bits_%s_%d[%zu] =    /* %s */\n{\n", class, k, words,
+                 e->effect->name);
+    for (size_t w = 0; w < words; w++)
+    {
+        const size_t left = e->effect->size - 8*w;
+        uint64_t bits = 0;
+        double number;
+
+        memcpy(&bits, (const char *)e->settings + 8*w, left < 8 ? left : 8);
+        memcpy(&number, &bits, sizeof number);
+        dem_text_add(c->out, "    0x%016llxul,    /* %g */\n", (unsigned long long)bits, number);
+    }
+    dem_text_add(c->out,
+                 "};\n"
+                 "static inline struct dem_%s settings_%s_%d(void)\n"
+                 "{\n"
+                 "    union { ulong bits[%zu]; struct dem_%s settings; } u;\n\n"
+                 "    for (int w = 0; w < %zu; w++)\n"
+                 "    {\n"
+                 "        u.bits[w] = bits_%s_%d[w];\n"
+                 "    }\n"
+                 "    return u.settings;\n"
+                 "}\n"
+                 "typedef char size_%s_%d[sizeof(struct dem_%s) == %zu ? 1 : -1];\n",
+                 law_name(e->effect), class, k, words, law_name(e->effect), words, class, k, class,
+                 k, law_name(e->effect), e->effect->size);
+}
+
+/* The call of a function of a law on the row. */
+static void add_call(struct composer *c, const char *class, int k, const struct dem_effect_entry *e,
+                     const char *function, const char *history)
+{
+    const char *const law = law_name(e->effect);
+
+    if (e->effect->size > 0)
+    {
+        dem_text_add(c->out,
+                     "    {\n"
+                     "        const struct dem_%s l = settings_%s_%d();\n\n"
+                     "        dem_%s_%s(&l, r%s);\n"
+                     "    }\n",
+                     law, class, k, law, function, history);
+    }
+    else
+    {
+        dem_text_add(c->out, "    dem_%s_%s(0, r%s);\n", law, function, history);
+    }
+}
+
+/* ---- contacts: as step/contact_effects.c applies the effects ----------------------------------- */
+
+struct columns    /* of the laws of a class, one after the other */
+{
+    int n, first[DEM_EFFECT_LIST_LIMIT], column[DEM_HISTORY_COLUMNS];
+};
+
+static void list_columns(const struct dem_effect_list *list, struct columns *h)
+{
+    h->n = 0;
+    for (int k = 0; k < list->entries; k++)
+    {
+        h->first[k] = h->n;
+        for (int m = 0; m < dem_effect_history_columns(list->entry[k].effect); m++)
+        {
+            h->column[h->n++] = list->entry[k].first_column + m;
+        }
+    }
+}
+
+static void add_row_call(struct composer *c, const char *class,
+                         const struct dem_effect_list *list, const struct columns *h, int k,
+                         const char *function)
+{
+    char history[32];
+
+    snprintf(history, sizeof history, ", h + %d", h->first[k]);
+    add_call(c, class, k, &list->entry[k], function, history);
+}
+
+/* Where surfaces are apart, history of surface laws is zero. Only classes that act past touching
+   come here with surfaces apart. */
+static void add_clear(struct composer *c, const struct dem_effect_list *list,
+                      const struct columns *h, int k)
+{
+    const int columns = dem_effect_history_columns(list->entry[k].effect);
+
+    for (int m = 0; list->past_touching && list->entry[k].effect->stage < DEM_STAGE_BOND &&
+                    m < columns;
+         m++)
+    {
+        dem_text_add(c->out, "    h[%d] = dem_select(r->touching > 0.0, h[%d], 0.0);\n",
+                     h->first[k] + m, h->first[k] + m);
+    }
+}
+
+static void add_laws(struct composer *c, const struct dem_effect_list *list, const char *class,
+                     const struct columns *h)
+{
+    int damped = 0;
+
+    for (int k = 0; k < list->entries; k++)
+    {
+        add_settings(c, class, k, &list->entry[k]);
+    }
+    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h)\n{\n", class);
+    for (int k = 0; k < list->entries; k++)
+    {
+        if (list->entry[k].effect->replace_contact)
+        {
+            add_row_call(c, class, list, h, k, "replace_row");
+        }
+    }
+    for (int k = 0; k < list->entries; k++)
+    {
+        const int past_damping = list->entry[k].effect->stage >= DEM_STAGE_TANGENT;
+
+        for (int m = 0; m < list->entries && list->past_touching && past_damping && !damped; m++)
+        {
+            if (list->entry[m].effect->set_adhesion)
+            {
+                add_row_call(c, class, list, h, m, "adhesion_row");
+            }
+        }
+        damped |= past_damping;
+        add_row_call(c, class, list, h, k, "row");
+        add_clear(c, list, h, k);
+    }
+    dem_text_add(c->out, "}\n");
+}
+
+static int add_class(struct composer *c, const struct dem_interaction_table *table, int class,
+                     int surface)
+{
+    const struct dem_effect_list *const list = &table->list[class];
+    struct columns h;
+    char name[16];
+
+    snprintf(name, sizeof name, "%d", class);
+    list_columns(list, &h);
+    dem_text_add(c->out, "\n/* ---- %s and %s%s */\n", list->pair.a->name,
+                 list->pair.with_wall ? "walls of " : "", list->pair.b->name);
+    add_laws(c, list, name, &h);
+    dem_text_add(c->out, "#define COLUMN_OF(DO)");
+    for (int m = 0; m < h.n; m++)
+    {
+        dem_text_add(c->out, " DO(%d, %d)", m, h.column[m]);
+    }
+    dem_text_add(c->out, "\n#define COLUMNS %d\n#define LAWS laws_%d\n#define TEST test_%d\n"
+                 "#define PAST_TOUCHING %d\n", h.n, class, class, list->past_touching);
+    DEM_TRY(include_name(c, "device/test.cl"));
+    dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
+                 "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
+                 "#define VISCOSITY %d\n", class,
+                 list->pair.with_wall, table->moments, table->past_touching,
+                 (list->needs & DEM_NEEDS_RANDOM) != 0, surface,
+                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY);
+    return include_name(c, "device/rows.cl");
+}
+
+/* ---- the program ----------------------------------------------------------------------------- */
+
+static int include_laws(struct composer *c, const struct dem_effect_list *list)
+{
+    for (int k = 0; k < list->entries; k++)
+    {
+        DEM_TRY(include(c, law_text(list->entry[k].effect)));
+    }
+    return DEM_OK;
+}
+
+static int add_bodies(struct composer *c, const struct dem_interaction_table *table)
+{
+    const struct dem_effect_list *const list = &table->bodies;
+
+    for (int k = 0; k < list->entries; k++)
+    {
+        add_settings(c, "body", k, &list->entry[k]);
+    }
+    dem_text_add(c->out, "static void body_laws(struct dem_body_row *r)\n{\n");
+    for (int k = 0; k < list->entries; k++)
+    {
+        add_call(c, "body", k, &list->entry[k], "row", "");
+    }
+    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define MOMENTS %d\n"
+                 "#define PAST_TOUCHING %d\n", table->moments, table->past_touching);
+    return include_name(c, "device/bodies.cl");
+}
+
+static int compose(struct composer *c, const struct dem_interaction_table *table,
+                   const struct dem_particles *particles, int surface)
+{
+    dem_text_add(c->out, "#define FLUID %d\n#define WHOLE_DRAG %d\n",
+                 dem_device_columns_text(particles, c->out), table->bodies.whole_drag);
+    c->viscosity = particles->batch.n > 0;
+    DEM_TRY(include_name(c, "device/gather.cl"));
+    for (int k = 0; k < table->classes; k++)
+    {
+        DEM_TRY(include_laws(c, &table->list[k]));
+    }
+    DEM_TRY(include_laws(c, &table->bodies));
+    for (int k = 0; k < table->classes; k++)
+    {
+        DEM_TRY(add_class(c, table, k, surface));
+    }
+    DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? include_name(c, "device/fluid.cl")
+                                                             : DEM_OK);
+    DEM_TRY(add_bodies(c, table));
+    DEM_TRY(include_name(c, "device/lists.cl"));
+    return include_name(c, "device/scan.cl");
+}
+
+int dem_device_program(const struct dem_interaction_table *table,
+                       const struct dem_particles *particles, int surface, struct dem_text *text)
+{
+    struct composer c = {.out = text};
+    const int status = compose(&c, table, particles, surface);
+
+    return status ? status : text->status;
+}

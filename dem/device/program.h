@@ -1,0 +1,25 @@
+/*
+ * program.h -- the program of a device: the laws of a frozen interaction table on rows and particles,
+ * composed into one OpenCL C text. What the scene does not name is not in it.
+ *
+ * Kernels: rows_<class> for each pair class (rows.cl), bodies and clear_apart (bodies.cl), lists_*
+ * (lists.cl), scan_* (scan.cl), test_<class> (test.cl).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_PROGRAM_H
+#define DEM_DEVICE_PROGRAM_H
+
+#include "core/text.h"
+#include "laws/interaction_table.h"
+#include "particles/particles.h"
+
+/* The particles give the columns of a fluid. `surface`: 1 when a wall is curved or moves. The caller
+   frees the text. */
+int dem_device_program(const struct dem_interaction_table *, const struct dem_particles *, int surface,
+                       struct dem_text *);
+
+/* Why an effect cannot be in a program, as the end of a sentence, or NULL. */
+const char *dem_device_effect_refusal(const struct dem_effect *);
+
+#endif

@@ -1,0 +1,95 @@
+/*
+ * refusal.c -- what keeps the steps of a run from a device: the first thing that has no text there.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "device/device_steps.h"
+#include "device/program.h"
+#include "records/energy_balance.h"
+#include "records/wall_statistics.h"
+#include <stdio.h>
+
+static int refuse_effects(const struct dem_effect_list *list, char *why, size_t size)
+{
+    for (int k = 0; k < list->entries; k++)
+    {
+        const char *const reason = dem_device_effect_refusal(list->entry[k].effect);
+
+        if (reason || list->entry[k].grains)
+        {
+            snprintf(why, size, "%s %s", list->entry[k].effect->name,
+                     reason ? reason : "acts on the grains of parcels");
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int refuse_laws(const struct dem_interaction_table *t, char *why, size_t size)
+{
+    int refused = refuse_effects(&t->bodies, why, size);
+
+    for (int k = 0; k < t->classes && !refused; k++)
+    {
+        refused = refuse_effects(&t->list[k], why, size);
+    }
+    return refused;
+}
+
+static const char *wall_reason(const struct dem_wall *w)
+{
+    return w->shape == DEM_SHAPE_TRIANGLES ? "is made of triangles"
+           : w->absorbs                    ? "absorbs particles"
+                                           : NULL;
+}
+
+static int refuse_walls(const struct dem_walls *walls, char *why, size_t size)
+{
+    for (int k = 0; k < walls->walls; k++)
+    {
+        const char *const reason = wall_reason(&walls->wall[k]);
+
+        if (reason)
+        {
+            snprintf(why, size, "wall %s %s", walls->wall[k].name, reason);
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Of the run, not of its laws or walls. */
+static const char *run_reason(const struct dem_state *state)
+{
+    const struct dem_particles *const p = &state->particles;
+
+    return dem_column(p, DEM_COLUMN_OWN_WAKE) || dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1
+               ? "the fluid around particles has wakes or eddies"
+           : state->interaction_table.parcels.used ? "particles are parcels"
+           : state->interaction_table.listed > 0   ? "particles have scalars"
+           : state->energy_balance->open           ? "there is an energy balance (write/energy)"
+           : dem_column(p, DEM_COLUMN_ORIENTATION) ? "orientations are asked for (write/orientation)"
+           : state->applied_forces.n > 0           ? "there are forces on chosen particles (forces)"
+           : state->wall_statistics->sum           ? "loads on walls are asked for (write/walls)"
+                                                   : NULL;
+}
+
+void dem_device_refusal(const struct dem_state *state, char *why, size_t size)
+{
+    why[0] = '\0';
+    if (state->decomposition.ranks > 1)
+    {
+        snprintf(why, size, "the run has %d ranks; a device serves one", state->decomposition.ranks);
+        return;
+    }
+    if (refuse_laws(&state->interaction_table, why, size) || refuse_walls(&state->walls, why, size))
+    {
+        return;
+    }
+    const char *const reason = run_reason(state);
+
+    if (reason)
+    {
+        snprintf(why, size, "%s", reason);
+    }
+}

@@ -1,0 +1,81 @@
+/*
+ * shared.h -- structs and constants that host and device have in common.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_DEVICE_SHARED_H
+#define DEM_DEVICE_SHARED_H
+
+#include "walls/pose.h"
+
+enum
+{
+    DEM_DEVICE_GROUP = 64,      /* work items of a group */
+    DEM_DEVICE_BATCH = 256,     /* steps between two looks of the host, at most */
+    DEM_DEVICE_IMAGES = 27      /* periodic shifts of a pair */
+};
+
+enum dem_device_event           /* what the host has to handle; it repeats the steps then */
+{
+    DEM_DEVICE_OVERLAP = 1,     /* above time/maxOverlap */
+    DEM_DEVICE_NOT_FINITE = 2,  /* a force */
+    DEM_DEVICE_CROSSED = 4,     /* a wall with two sides */
+    DEM_DEVICE_BROKE = 8,       /* a bond */
+    DEM_DEVICE_CORNER = 16      /* two facets share a contact or its springs */
+};
+
+/* a moving wall in a step. On the device the member `wall` of a facet is its frame, -1: at rest; and
+   `number` its wall where the surface slides in itself, else -1. */
+struct dem_device_frame
+{
+    struct dem_pose pose;
+    struct dem_wall_displacement displacement;
+};
+
+/* rounding of the drift along each axis, and axes without motion (dem_domain) */
+struct dem_device_axes
+{
+    double round[3];
+    int flat[3];
+};
+
+/* new lists, and the lists that they replace */
+struct dem_device_lists
+{
+    double origin[3], over_edge[3];         /* m, 1/m  of the cells */
+    double min[3], max[3], length[3], unit[3];    /* m  dem_domain */
+    double gap;                             /* m  of pairs, at most */
+    int cells[3], periodic[3];
+    uint32_t particles, facets, materials, columns;
+    uint32_t stride, old_stride, old_walls; /*    rows; rows before, the first one of a wall */
+    int keep_all;                           /* 1: laws act past touching */
+};
+
+/* what the device tells after a batch of steps */
+struct dem_device_report
+{
+    uint32_t events;                        /* enum dem_device_event, or-ed */
+    uint32_t event_step;                    /* the first step of the batch with one */
+    float overlap;                          /* 1  largest overlap over the smaller diameter */
+    float fastest[DEM_DEVICE_BATCH];        /* m2/s2  square of the largest speed of each step,
+                                               rounded up */
+    float bound[DEM_DEVICE_BATCH];          /* m  bound of the displacement before each step */
+};
+
+/* constants of a batch of steps */
+struct dem_device_batch
+{
+    double dt, inverse_dt, max_dt;          /* s, 1/s, s */
+    double window_start;                    /* s  step k of the window ends at start + k dt */
+    double over_window;                     /* 1/s  of the window's length; 0 without */
+    int64_t first;                          /*    k of the first step of the batch */
+    double max_overlap;                     /* 1  an overlap over the smaller radius ends the run */
+    float overlap;                          /* 1  of the report, so far */
+    float start;                            /* m  bound of the displacement now */
+    float limit[DEM_DEVICE_BATCH];          /* m  up to which the lists are valid; never increases */
+    uint32_t particles, stride;             /*    stride: rows of a history column */
+    uint32_t walls;                         /*    the first row of a wall */
+    uint32_t frames;                        /*    of moving walls, for each step */
+};
+
+#endif

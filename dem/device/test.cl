@@ -1,0 +1,46 @@
+/*
+ * test.cl -- template: the kernel by which self_test.c has the laws of one pair class applied to given
+ * rows. It is included once for each class; rows.cl describes its macros.
+ *
+ * A row is its columns in the order of laws/row.h, then its history.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_TEST_GET
+#define DEM_TEST_GET(column) r.column = *in++;
+#define DEM_TEST_PUT(column) *out++ = r.column;
+#endif
+
+kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
+void TEST(uint rows, uint numbers, global const double *in, global const double *times,
+          global double *out)
+{
+    const uint row = get_global_id(0);
+    double h[COLUMNS + 1];
+    struct dem_contact_row r;
+
+    if (row >= rows)
+    {
+        return;
+    }
+    r.dt = times[0];
+    r.max_dt = times[1];
+    r.inverse_dt = times[2];
+    r.time = times[3];
+    r.previous_time = times[4];
+    in += (size_t)row*numbers;
+    out += (size_t)row*numbers;
+    DEM_ROW_COLUMNS(DEM_TEST_GET)
+    for (int m = 0; m < COLUMNS; m++)
+    {
+        h[m] = *in++;
+    }
+    LAWS(&r, h);
+    DEM_ROW_COLUMNS(DEM_TEST_PUT)
+    for (int m = 0; m < COLUMNS; m++)
+    {
+        *out++ = h[m];
+    }
+}
+
+#undef TEST

@@ -1,0 +1,163 @@
+/*
+ * steps_on_device.c -- choose the steps that a device makes: nothing reads the state in them, nothing
+ * is due, and the lists hold.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "step/steps_on_device.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "device/device_steps.h"
+#include "records/energy_balance.h"
+#include "records/grid_averages.h"
+#include "records/timers.h"
+#include "records/wall_statistics.h"
+#include "sources/flows.h"
+#include "step/limits.h"
+#include "step/neighbor_rebuild.h"
+#include <math.h>
+
+enum
+{
+    MOST_STEPS = 65536,
+    FEW_STEPS = 8         /* the state is not moved for fewer; new lists allow more */
+};
+
+/* 1 when something reads the forces or positions of this step, or copies the state in it. */
+static int is_read(const struct dem_state *state, int64_t step)
+{
+    const int64_t number = state->window.steps_before + step;
+    const double time = state->window.start + (double)step*state->dt;
+
+    return step >= state->window.steps || dem_grid_averages_due(state->averages, time) ||
+           (state->backup.every > 0 && number >= state->backup.steps + state->backup.every);
+}
+
+/* 1 when particles may enter or leave in this step. */
+static int changes_particles(const struct dem_state *state, int64_t step)
+{
+    return (state->flows->n > 0 || state->domain.remove) &&
+           (state->window.steps_before + step)%DEM_FLOW_STEPS == 0;
+}
+
+static int64_t count_steps(const struct dem_state *state, int64_t first)
+{
+    int64_t n = 0;
+
+    while (n < MOST_STEPS && !is_read(state, first + n) &&
+           (n == 0 || !changes_particles(state, first + n)))
+    {
+        n++;
+    }
+    return n;
+}
+
+/* Displacement [m] by which a particle may move until the first list is used up
+   (neighbor_update.c). */
+static double rest_of_list(const struct dem_state *state, enum dem_list list)
+{
+    const struct dem_displacement *const d = &state->pairs.displacement[list];
+    const double wall = dem_walls_max_displacement(&state->walls, list, d->centre);
+
+    return fmin(0.5*d->skin, d->skin - wall) - d->spread;
+}
+
+static double rest_of_lists(const struct dem_state *state)
+{
+    return fmin(rest_of_list(state, DEM_LIST_OUTER), rest_of_list(state, DEM_LIST_INNER));
+}
+
+/* 1: new lists would last longer. */
+static int half_used(const struct dem_state *state)
+{
+    const struct dem_displacement *const d = &state->pairs.displacement[DEM_LIST_OUTER];
+
+    return d->spread > 0.25*d->skin;
+}
+
+/* Between batches of steps: reports progress; 1 when there is a request to stop. */
+static int ends(struct dem_state *state, int64_t made)
+{
+    struct dem_progress *const q = &state->progress;
+    const double now = q->report ? dem_clock_wall() : 0.0;
+
+    if (q->report && now - q->last >= q->seconds)
+    {
+        q->last = now;
+        q->report(q->self, state->time + (double)made*state->dt, state->steps + made);
+    }
+    return state->stop_request && *state->stop_request;
+}
+
+/* The host counts the steps, and the displacements of all drifts but the last: it counts that one
+   itself, in the next step. When the device has stopped for the lists, they are measured there. */
+static void count_made(struct dem_state *state, const struct dem_device_steps *steps)
+{
+    const int64_t more = steps->made - 1;
+    double last = 0.0;
+
+    for (int64_t k = 0; k < steps->made; k++)
+    {
+        last = steps->speed[k]*state->dt;
+        for (int l = 0; l < DEM_LISTS && k < more; l++)
+        {
+            state->pairs.displacement[l].spread += last;
+        }
+        if (k < more)
+        {
+            (void)dem_skins_step(&state->pairs.skins, last);
+        }
+    }
+    for (enum dem_list l = 0; l < DEM_LISTS; l++)
+    {
+        struct dem_displacement *const d = &state->pairs.displacement[l];
+
+        d->spread = steps->made < steps->most && rest_of_list(state, l) < 2.0*last
+                        ? fmax(d->spread, d->skin)
+                        : d->spread;
+    }
+    state->steps += more;
+    state->time = state->window.start + (double)(steps->first + more)*state->dt;
+    state->timers->steps += more;
+    state->timers->particle_steps += more*(int64_t)state->particles.n;
+    for (int c = 0; c < state->contacts.rows.classes; c++)
+    {
+        state->timers->row_steps += more*state->contacts.rows.segment[c].count;
+    }
+    state->next_drift.done = 1;
+    state->next_drift.max_speed = steps->speed[steps->made - 1];
+}
+
+int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
+{
+    struct dem_device_steps steps = {.first = first, .most = count_steps(state, first)};
+
+    *made = 0;
+    if (steps.most < FEW_STEPS || state->wall_statistics->sum || state->energy_balance->open ||
+        state->window.stopped)
+    {
+        return DEM_OK;
+    }
+    dem_device_set_skins(state, state->next_drift.max_speed);
+    steps.rest = rest_of_lists;
+    steps.ends = ends;
+    steps.max_displacement = dem_limits_max_wall_displacement(state);
+    steps.max_speed = dem_limits_max_speed(state);
+    if (!dem_device_makes_lists(state->device) &&
+        rest_of_lists(state) < FEW_STEPS*state->next_drift.max_speed*state->dt)
+    {
+        state->stale = half_used(state) ? 1 : 0;
+        return DEM_OK;
+    }
+    dem_timers_begin_rare_phase(state->timers, DEM_PHASE_REFRESH);
+    const int status = dem_device_advance(state, &steps);
+
+    dem_timers_end_rare_phase(state->timers, DEM_PHASE_DEVICE);
+    DEM_TRY(status);
+    if (steps.made > 0)
+    {
+        count_made(state, &steps);
+    }
+    *made = steps.made;
+    return DEM_OK;
+}
