@@ -34,7 +34,7 @@ HERE = Path(__file__).resolve().parent
 CORE = HERE/"core" if (HERE/"core").is_dir() else HERE.parent/"dem"
 VERSION = re.search(r'#define DEM_VERSION "(.*)"', (CORE/"include"/"dem.h").read_text()).group(1)
 # what `make shared` reads: sources lie at most three folders deep
-SOURCES = ("Makefile", "install/*", "*/*.[ch]", "*/*/*.[ch]")
+SOURCES = ("Makefile", "install/*", "*/*.[ch]", "*/*/*.[ch]", "device/*.cl")
 MPI = os.environ.get("SUNA_MPI") or ("yes" if shutil.which("mpicc") else "no")
 LIBRARY = CORE/("build" if MPI == "yes" else "build/serial")/"libdem.so"
 
@@ -52,7 +52,8 @@ class WithCore(build_py):
         shutil.copy(LIBRARY, target)
         shutil.copy(licence(), target)
         (target/"include").mkdir(exist_ok=True)
-        for header in (CORE/"include").glob("*.h"):
+        headers = [*(CORE/"include").glob("*.h"), *([CORE/"ranks/serial/mpi.h"] if MPI == "no" else [])]
+        for header in headers:
             shutil.copy(header, target/"include")
 
 

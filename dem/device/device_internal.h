@@ -57,6 +57,8 @@ struct dem_device
     int own;                            /* 1: the present lists are made here, not on the host */
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */
     int64_t host_until;                 /* up to this step the host makes the steps */
+    int64_t wait;                       /* steps added there after the next event: each event that
+                                           follows another one doubles them */
     double last_speed;                  /* m/s  largest of the last drift */
     double min_skin, max_skin;          /* m */
     struct dem_device_counts counts;

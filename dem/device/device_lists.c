@@ -93,7 +93,7 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
         min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
     }
     d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !state->domain.remove &&
-                     state->flows->n == 0;
+                     state->flows->n == 0 && state->particles.n < UINT32_MAX/(size_t)d->classes;
     DEM_TRY(put_facets(d, &state->walls));
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));

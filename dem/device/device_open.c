@@ -194,7 +194,7 @@ double dem_device_memory(const struct dem_state *state)
                  rows = fmax((double)state->contacts.rows.n, BED_ROWS*n);
     const size_t columns = dem_device_columns_width(&state->particles),
                  history = (size_t)t->history_columns;
-    const size_t particle = 2*sizeof(struct dem_particle) + 7*sizeof(uint32_t) +
+    const size_t particle = 2*sizeof(struct dem_particle) + (7 + (size_t)t->classes)*sizeof(uint32_t) +
                             (4 + 2 + 2*columns)*sizeof(double);
     const size_t row = 3 + 11*sizeof(uint32_t) +
                        (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history)*sizeof(double);

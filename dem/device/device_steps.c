@@ -16,6 +16,11 @@
 #include <math.h>
 #include <string.h>
 
+enum
+{
+    LONGEST_WAIT = 4096    /* steps that the host makes beyond an event that has come again */
+};
+
 /* ---- batches of steps -------------------------------------------------------------------------- */
 
 static uint32_t rows_of_class(const struct dem_device *d, int k)
@@ -183,10 +188,12 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
 
         *end = 1;
         /* state->steps is the first step's */
-        d->host_until = state->steps + steps->made + until - 1;
+        d->host_until = state->steps + steps->made + until - 1 + d->wait;
+        d->wait = d->wait < LONGEST_WAIT ? 2*d->wait + 32 : LONGEST_WAIT;
         d->counts.repeated += until;
         return copy_state(d, state, 1);
     }
+    d->wait = made > 0 ? 0 : d->wait;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
     state->limits.overlap = fmax(state->limits.overlap, (double)d->seen.overlap);
@@ -211,6 +218,11 @@ static int renew_lists(struct dem_device *d, struct dem_state *state,
         p->skin = dem_device_skin(d, d->last_speed, state->dt);
         /* to the position of the next step, whose lists these are */
         DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin));
+        if (one == 0)
+        {
+            *end = 1;
+            return DEM_OK;
+        }
         for (enum dem_list l = 0; l < DEM_LISTS; l++)
         {
             dem_walls_reset_marks(&state->walls, l);
@@ -245,15 +257,16 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
     return DEM_OK;
 }
 
+int dem_device_waits(const struct dem_state *state)
+{
+    return state->steps <= state->device->host_until;
+}
+
 int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
 {
     struct dem_device *const d = state->device;
 
     steps->made = 0;
-    if (state->steps <= d->host_until)
-    {
-        return DEM_OK;
-    }
     DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
     steps->speed = d->speed;
     DEM_TRY(dem_device_put(d, state));

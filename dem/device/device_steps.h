@@ -3,8 +3,8 @@
  *
  * The host owns the state between advances. Within an advance it makes the steps that something
  * reads: the last one of a window, samples, backups. From a step on whose lists are valid the device
- * makes the steps up to the next of these: the state goes up, steps and new lists are made, the state
- * comes down (dem_device_advance). Whatever reads the state finds it on the host, and files do not
+ * makes the steps up to the next of these: the state is copied to it, steps and new lists are made,
+ * the state is copied back (dem_device_advance). Whatever reads the state finds it on the host, and files do not
  * know of the device.
  *
  * Events that the host has to report or to handle take the device back to the state before its last
@@ -39,6 +39,9 @@ void dem_device_set_skins(struct dem_state *, double speed);
 
 /* 1: the device makes lists itself, so that it begins with any. */
 int dem_device_makes_lists(const struct dem_device *);
+
+/* 1: the host has to make this step, up to an event or some steps after it. */
+int dem_device_waits(const struct dem_state *);
 
 struct dem_device_counts
 {

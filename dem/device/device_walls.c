@@ -39,6 +39,11 @@ int dem_device_move_walls(struct dem_device *d, struct dem_state *state,
 
     batch->frames = (uint32_t)frames;
     DEM_TRY(DEM_GROW(d->frame, d->frames_capacity, frames**n + 1));
+    if (frames > 0)
+    {
+        /* where they are before the first step: an earlier batch may have moved them further */
+        dem_walls_move(w, time_of(state, batch->first - 1), state->dt);
+    }
     for (uint32_t s = 0; s < *n; s++)
     {
         if (frames > 0)

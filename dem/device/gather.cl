@@ -13,9 +13,9 @@
 #include "walls/facet_surface.h"
 #include "walls/wall_drive.h"
 
-/* 1 when the lists may miss a contact in step s of the batch, or an event has ended the batch: the
-   step is left out. All work items of all kernels of a step get the same answer. The bound grows with
-   the largest speed of each step; the factor is above all rounding. */
+/* 1 when the lists may miss a contact in step s of the batch: the step is left out. All work items of
+   all kernels of a step get the same answer. The bound grows with the largest speed of each step; the
+   factor is above all rounding. Steps after an event are made, too; the host drops the batch. */
 static int dem_used_up(constant struct dem_device_batch *b, global struct dem_device_report *report,
                        uint s)
 {

@@ -320,7 +320,7 @@ kernel void lists_entries(constant struct dem_device_lists *l,
         {
             uint at = start[j];
 
-            while (list[at] != (i | code << SHIFT_BITS))
+            while (at + 1 < start[j + 1] && list[at] != (i | code << SHIFT_BITS))
             {
                 at++;
             }

@@ -130,11 +130,16 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
 
 int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
 {
-    struct dem_device_steps steps = {.first = first, .most = count_steps(state, first)};
+    struct dem_device_steps steps = {.first = first};
 
     *made = 0;
-    if (steps.most < FEW_STEPS || state->wall_statistics->sum || state->energy_balance->open ||
-        state->window.stopped)
+    if (dem_device_waits(state) || state->wall_statistics->sum ||
+        state->energy_balance->open || state->window.stopped)
+    {
+        return DEM_OK;
+    }
+    steps.most = count_steps(state, first);
+    if (steps.most < FEW_STEPS)
     {
         return DEM_OK;
     }

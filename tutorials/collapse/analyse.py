@@ -2,8 +2,9 @@
 """analyse.py -- run-out and height of collapsed columns over their aspect ratio, beside measured
 scalings.
 
-    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png with -rolling);
-                                     with -store also stored/ and its table in results.md
+    analyse.py [-store "text"]       result.csv, collapse.png (rolling.png with -rolling,
+                                     walls.png with -walls); with -store also stored/ and its table
+                                     in results.md
 
 Height    of the deposit h(x): volume of the beads in slices of one diameter, over slice and solid
           fraction of the column at rest
@@ -23,6 +24,7 @@ from dem_case import OTHER, OURS, POINTS, REFERENCE, Result, below, interval, pa
     plain_ticks, read_vtp, render, save, shades, store
 
 D, WIDTH, LENGTH = 2e-3, 0.01, 0.032
+NAMES = {"free": "spheres", "rolling": "with resistance to rolling", "walls": "between walls"}
 
 
 def beads(folder, place):
@@ -90,7 +92,8 @@ def draw_scalings(points, found, picture):
         for part, a in enumerate((numpy.geomspace(0.3, 0.999*kink), numpy.geomspace(kink, 10))):
             axes.loglog(a, law(a), color=REFERENCE, ls=dashes, lw=1.2, label=None if part else label)
     for kind, colour, label in (("free", OURS, "Suna, mean of three seeds, 95 % interval"),
-                                ("rolling", OTHER, "Suna with resistance to rolling, 95 % interval")):
+                                ("rolling", OTHER, "Suna with resistance to rolling, 95 % interval"),
+                                ("walls", OTHER, "Suna between walls, 95 % interval")):
         if kind in points:
             # a seed alone has no interval
             p = numpy.nan_to_num(numpy.array(points[kind]))
@@ -126,14 +129,14 @@ def main():
         aspect = numpy.mean([r[0] for r in runs])
         out, height = interval([r[1] for r in runs]), interval([r[2] for r in runs])
         points.setdefault(kind, []).append((aspect, *out, *height))
-        name = "spheres" if kind == "free" else "with resistance to rolling"
-        other = lajeunesse if kind == "free" else lube
+        name = NAMES[kind]
+        other = lube if kind == "rolling" else lajeunesse
         result.add("run-out (L_end - L)/L", f"{name} a = {aspect:.2f}", float(other(aspect)), *out,
                    "1")
         result.add("height H_end/L", f"{name} a = {aspect:.2f}",
                    min(aspect, 0.65*aspect**0.4) if aspect > 1.15 else aspect, *height, "1")
     for kind in points:
-        name = "spheres" if kind == "free" else "with resistance to rolling"
+        name = NAMES[kind]
         picked = [found[key] for key in sorted(found) if key[0] == kind and key[1] >= 1]
         if len(picked) > 2:
             slopes = [[numpy.polyfit(numpy.log([runs[k][0] for runs in picked]),
@@ -143,12 +146,13 @@ def main():
             result.add("exponent of H_end/L", f"{name} a >= 1", 0.4, *interval(slopes[1]), "1")
     result.write()
 
-    picture = "rolling.png" if list(points) == ["rolling"] else "collapse.png"
+    variant = next(iter(points)) if "free" not in points else None
+    picture = f"{variant or 'collapse'}.png"
     draw_scalings(points, found, picture)
     draw(found)
     if sys.argv[1:2] == ["-store"]:
-        store(sys.argv[2], picture, "column.png", **({"name": "rolling", "result": "rolling.csv"}
-                                       if picture == "rolling.png" else {}))
+        store(sys.argv[2], picture, *([] if variant else ["column.png"]),
+              **({"name": variant, "result": f"{variant}.csv"} if variant else {}))
 
 
 if __name__ == "__main__":

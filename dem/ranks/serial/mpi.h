@@ -65,7 +65,8 @@ enum
 
 static inline int MPI_Init(int *argc, char ***argv)
 {
-    static const char *const sizes[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}; /* Open MPI, MPICH */
+    static const char *const sizes[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE",
+                                       "SLURM_STEP_NUM_TASKS"};    /* Open MPI, MPICH, srun */
 
     for (size_t k = 0; k < sizeof sizes/sizeof *sizes; k++)
     {
