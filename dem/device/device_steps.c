@@ -18,7 +18,7 @@
 
 enum
 {
-    LONGEST_WAIT = 4096    /* steps that the host makes beyond an event that has come again */
+    LONGEST_WAIT = 255    /* steps that the host makes beyond an event that has come again */
 };
 
 /* ---- batches of steps -------------------------------------------------------------------------- */
@@ -189,7 +189,7 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
         *end = 1;
         /* state->steps is the first step's */
         d->host_until = state->steps + steps->made + until - 1 + d->wait;
-        d->wait = d->wait < LONGEST_WAIT ? 2*d->wait + 32 : LONGEST_WAIT;
+        d->wait = d->wait < LONGEST_WAIT ? 2*d->wait + 1 : LONGEST_WAIT;
         d->counts.repeated += until;
         return copy_state(d, state, 1);
     }

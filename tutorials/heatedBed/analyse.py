@@ -7,6 +7,13 @@ A sensor is the mean of the spheres within two diameters of the middle of the bo
 of the depth below the lid. The reference is a straight line through the points after 3400 s, at
 3995 s.
 
+The conductivity of the bed is k of the semi-infinite solid with a lid of constant temperature,
+
+    T - T_0 = (T_lid - T_0) erfc(z/(2 sqrt(k t/(rho c)))),    rho c = 0.58 x 7747 x 464 J/(m3 K)
+
+fitted by least squares to all points of the three depths after 400 s, of the measurement and of the
+run alike (Carslaw and Jaeger 1959, 2.5).
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import functools
@@ -14,6 +21,7 @@ import sys
 from pathlib import Path
 
 import numpy
+from scipy import optimize, special
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from dem_case import MEASURED, OURS, Result, interval, panels, plt, read_table, render, save, \
@@ -21,6 +29,7 @@ from dem_case import MEASURED, OURS, Result, interval, panels, plt, read_table, 
 import spheres     # noqa: E402
 
 D, LID, DEPTHS, END = 6.4e-3, 0.2, (0.040, 0.060, 0.073), 3995.0    # m, m, m, s
+START, HOT, CAPACITY = 20.0, 53.0, 0.58*7747*464                      # C, C, J/(m3 K)
 
 
 @functools.lru_cache(maxsize=None)
@@ -50,6 +59,33 @@ def history(folder):
 
 def at_end(curve):
     return [numpy.interp(END, curve[:, 0], curve[:, 1 + k]) for k in range(len(DEPTHS))]
+
+
+def slope(folder, depth):
+    """Change of the temperature with depth at the end [K/m], over a diameter."""
+    _, table = tables(folder)[-1]
+    return (sensor(table, depth + D/2) - sensor(table, depth - D/2))/D
+
+
+def conductivity(depth, time, temperature):
+    """Of a semi-infinite solid with these temperatures [W/(m K)]."""
+    late = time > 400
+    share = (temperature[late] - START)/(HOT - START)
+
+    def error(k):
+        return special.erfc(depth[late]/(2*numpy.sqrt(k[0]*time[late]/CAPACITY))) - share
+
+    return optimize.least_squares(error, [0.3]).x[0]
+
+
+def measured_conductivity():
+    table = read_table("measured/beaulieu2020.csv")
+    return conductivity(table["depth_m"], table["t_s"], table["T_C"])
+
+
+def computed_conductivity(curve):
+    return conductivity(numpy.repeat(DEPTHS, len(curve)), numpy.tile(curve[:, 0], len(DEPTHS)),
+                        curve[:, 1:].T.ravel())
 
 
 def measured(depth):
@@ -98,10 +134,16 @@ def main():
     for k, depth in enumerate(DEPTHS):
         result.add("temperature after 3995 s", f"{1e3*depth:.0f} mm below the lid",
                    measured(depth)[2], *interval(finals[:, k]), "C")
-    for folder in sorted(Path("runs").glob("contacts.?")):
-        for k, depth in enumerate(DEPTHS):
-            result.add("the same without gas", f"{1e3*depth:.0f} mm below the lid",
-                       None, at_end(history(folder))[k], None, "C")
+    for k, depth in enumerate(DEPTHS):
+        result.add("change over a radius of depth", f"{1e3*depth:.0f} mm below the lid", None,
+                   *interval([abs(slope(folder, depth))*D/2 for folder in folders]), "K")
+    for name, what in (("dark", "without radiation"), ("contacts", "without gas and radiation")):
+        for folder in sorted(Path("runs").glob(f"{name}.?")):
+            for k, depth in enumerate(DEPTHS):
+                result.add(f"the same {what}", f"{1e3*depth:.0f} mm below the lid",
+                           None, at_end(history(folder))[k], None, "C")
+    result.add("conductivity of the bed", "from all depths", measured_conductivity(),
+               *interval([computed_conductivity(curve) for curve in curves]), "W/(m K)")
     result.add("solid fraction", "40 to 160 mm", 0.58,
                *interval([solid_fraction(tables(folder)[-1][1]) for folder in folders]), "1")
     heat = [read_table(folder/"energy.csv") for folder in folders]
