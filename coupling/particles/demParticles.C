@@ -263,6 +263,10 @@ void Foam::demParticles::reportStep() const
     {
         Info<< "Suna: fluid effects: " << dem_fluid_effect_names(dem_) << endl;
     }
+    if (dem_device(dem_)[0])
+    {
+        Info<< "Suna: device: " << dem_device(dem_) << endl;
+    }
 }
 
 

@@ -200,19 +200,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         record[4*(size_t)i + 2] = w;
         fastest[l] = as_uint(convert_float_rtp(v.x*v.x + v.y*v.y + v.z*v.z));
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    for (uint d = DEM_DEVICE_GROUP/2; d > 0; d /= 2)
-    {
-        if (l < d)
-        {
-            fastest[l] = max(fastest[l], fastest[l + d]);
-        }
-        barrier(CLK_LOCAL_MEM_FENCE);
-    }
-    if (l == 0)
-    {
-        atomic_max((volatile global uint *)&report->fastest[s], fastest[0]);
-    }
+    dem_group_max(fastest, (global uint *)&report->fastest[s]);
 }
 
 /* Before the history is read: zero where surfaces are apart. */

@@ -65,8 +65,8 @@ struct dem_device_steps
     const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
 };
 
-/* Make steps from a state whose positions and lists are those of the first step. After it positions
-   are those of the step after the last one made. */
+/* Make steps. Before the call positions have been drifted and lists are valid for the first step; after
+   it positions have been drifted for the step that follows the last one made. */
 int dem_device_advance(struct dem_state *, struct dem_device_steps *);
 
 #endif

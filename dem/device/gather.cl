@@ -1,6 +1,6 @@
 /*
- * gather.cl -- what the kernels of contact rows share: when a step is not made, the geometry of a
- * pair and of a contact with a wall, and what ends a run.
+ * gather.cl -- what the kernels share: when a step is not made, the maximum of a group, the geometry
+ * of a pair and of a contact with a wall, and what ends a run.
  *
  * A record of a particle is four double4: {x, radius} {v, 1/m} {w, 1/I} {m, id, bits, -}
  * (struct dem_particle).
@@ -28,6 +28,26 @@ static int dem_used_up(constant struct dem_device_batch *b, global struct dem_de
         report->bound[s] = bound;
     }
     return !(bound <= b->limit[s]);
+}
+
+/* The largest number of a group, one of each work item, joins *largest. The whole group calls it. */
+static void dem_group_max(local uint *part, global uint *largest)
+{
+    const uint l = get_local_id(0);
+
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint d = DEM_DEVICE_GROUP/2; d > 0; d /= 2)
+    {
+        if (l < d)
+        {
+            part[l] = max(part[l], part[l + d]);
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+    if (l == 0)
+    {
+        atomic_max((volatile global uint *)largest, part[0]);
+    }
 }
 
 static void dem_report_event(global struct dem_device_report *report, uint event, uint s)

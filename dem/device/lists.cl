@@ -394,19 +394,7 @@ void lists_displacement(uint particles, global const double4 *restrict record,
 
         part[l] = as_uint(convert_float_rtp(d.x*d.x + d.y*d.y + d.z*d.z));
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    for (uint d = DEM_DEVICE_GROUP/2; d > 0; d /= 2)
-    {
-        if (l < d)
-        {
-            part[l] = max(part[l], part[l + d]);
-        }
-        barrier(CLK_LOCAL_MEM_FENCE);
-    }
-    if (l == 0)
-    {
-        atomic_max((volatile global uint *)largest, part[0]);
-    }
+    dem_group_max(part, largest);
 }
 
 kernel void lists_refer(uint particles, global const double4 *restrict record,

@@ -28,7 +28,7 @@ int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
     return refuse();
 }
 
-/* No device is ever open, so nobody calls what follows. */
+/* Never called, because no device can be opened. */
 void dem_opencl_close(struct dem_opencl *cl)
 {
     (void)cl;

@@ -9,9 +9,9 @@
 #include "ranks/dem_state.h"
 
 /* After phase 3 of step `first` of the window, whose positions and lists are valid: let the device
-   make this step and those after it up to the next one that the host has to make. *made: how many;
-   positions are those of the step after them then, and time and steps of the state are those of the
-   last one made. 0: the host makes this step. */
+   make this step and the next ones, up to one that the host has to make. *made: how many; 0: the host
+   makes this step. Otherwise time and steps of the state then belong to the last step made, and the
+   particles have been drifted once more, for the next step. */
 int dem_steps_on_device(struct dem_state *, int64_t first, int64_t *made);
 
 #endif

@@ -56,6 +56,7 @@ Description
 #include "cellVector.H"
 #include "halfCellMean.H"
 #include "faceVector.H"
+#include "potentialFlux.H"
 #include "phaseTransport.H"
 #include "twoFluids.H"
 

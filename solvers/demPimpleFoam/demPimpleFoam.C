@@ -73,6 +73,7 @@ Description
 #include "cellVector.H"
 #include "halfCellMean.H"
 #include "faceVector.H"
+#include "potentialFlux.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
