@@ -106,6 +106,14 @@ int dem_wall_impulse(struct dem *, int wall, double impulse[3], double angular_i
 /* Number of triangles of a wall, and whether it moves; zeros for a number that no wall has. */
 void dem_wall_info(const struct dem *, int wall, struct dem_wall_info *);
 
+/* Where a wall is; the identity for a number that no wall has. */
+void dem_wall_position(const struct dem *, int wall, struct dem_wall_position *);
+
+/* Set the load of a wall that is moved by force, from now on and in place of the scene's: force [N] of a
+   free wall, torque [N m] of a hinge in load[0], force [N] or pressure [Pa] of a servo in load[0]. All
+   ranks give the same. A snapshot does not hold it. */
+int dem_wall_set_load(struct dem *, const char *name, const double load[3]);
+
 /* Collective. Write the present corners of a wall's triangles [m], 9 numbers each, into an array of
    9*dem_wall_info.triangles numbers of the first rank; other ranks may give NULL. The order is
    always the same. */

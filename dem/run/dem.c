@@ -17,6 +17,7 @@
 #include "step/fall_check.h"
 #include "step/step.h"
 #include "step/step_backup.h"
+#include "step/wall_bodies.h"
 #include <fenv.h>
 #include <math.h>
 #include <string.h>
@@ -207,6 +208,7 @@ int dem_restore(struct dem *d, double *time)
     dem_flows_restore(p->flows);
     dem_wall_statistics_drop_forces(p->wall_statistics);
     dem_walls_rewind(&p->walls);
+    dem_wall_bodies_restore(&p->walls);
     dem_unagreed_reset(&p->unagreed);
     d->restored = 1;
     d->failed = 0;

@@ -233,7 +233,8 @@ static void write_triangles(struct dem_text *t, const struct dem_walls *w, int w
 static void write_walls(struct dem_text *t, const struct dem_state *p)
 {
     static const char *const shape[] = {"", "plane", "cylinder", "sphere"};
-    static const char *const moves[] = {"", ", translates", ", turns", ", oscillates"};
+    static const char *const moves[] = {"", ", translates", ", turns", ", oscillates", "",
+                                        ", moves"};
     const struct dem_walls *const w = &p->walls;
 
     dem_text_add(t, "Walls\n");

@@ -18,22 +18,59 @@
 /* Tolerance of parallel axes: sine of the angle between them. */
 static const double max_sine = 1e-9;
 
-static int check_shape(const struct dem_wall *w, const struct dem_motion *m)
+static int check_rotation(const struct dem_wall *w, const double about[3])
 {
     static const char *const remedy[] =
         {"", "plane (a box is made of them) turns about its normal only; build it from triangles",
          "cylinder turns about an axis parallel to its own only; build it from triangles", ""};
     double across[3];
 
-    if (m->kind == DEM_MOTION_ROTATION &&
-        (w->shape == DEM_SHAPE_PLANE || w->shape == DEM_SHAPE_CYLINDER))
+    if (w->shape == DEM_SHAPE_PLANE || w->shape == DEM_SHAPE_CYLINDER)
     {
-        dem_vec_cross(w->normal, m->axis, across);
+        dem_vec_cross(w->normal, about, across);
         DEM_REQUIRE(dem_vec_norm(across) < max_sine, DEM_ERROR_INPUT,
                     "wall %s: its rotation about (%g %g %g) would tilt it, and an infinite %s",
-                    w->name, m->axis[0], m->axis[1], m->axis[2], remedy[w->shape]);
+                    w->name, about[0], about[1], about[2], remedy[w->shape]);
     }
     return DEM_OK;
+}
+
+static int check_shape(const struct dem_wall *w, const struct dem_motion *m)
+{
+    return m->kind == DEM_MOTION_ROTATION ? check_rotation(w, m->axis) : DEM_OK;
+}
+
+static int check_body(const struct dem_wall *w, const struct dem_wall_body *b)
+{
+    double across[3];
+
+    if (b->kind == DEM_WALL_BODY_HINGE)
+    {
+        return check_rotation(w, b->axis[0]);
+    }
+    dem_vec_cross(w->normal, b->axis[0], across);
+    DEM_REQUIRE(w->shape != DEM_SHAPE_PLANE || (b->axes == 1 && dem_vec_norm(across) < max_sine),
+                DEM_ERROR_INPUT, "wall %s is a plane: free along its normal only; give triangles",
+                w->name);
+    return DEM_OK;
+}
+
+static int check_compound(const struct dem_wall *w, const struct dem_compound_motion *c)
+{
+    double rate[DEM_TIME_TABLE_COLUMNS];
+
+    for (int k = 0; k < c->parts; k++)
+    {
+        const struct dem_motion_part *const p = &c->part[k];
+
+        DEM_TRY(check_shape(w, &p->motion));
+        if (p->table)
+        {
+            dem_time_table_rates(p->table, rate);
+            DEM_TRY(rate[3] > 0.0 ? check_rotation(w, p->motion.axis) : DEM_OK);
+        }
+    }
+    return c->body ? check_body(w, c->body) : DEM_OK;
 }
 
 static int same_motion(const struct dem_motion *a, const struct dem_motion *b)
@@ -53,17 +90,23 @@ static int same_pose(const struct dem_pose *a, const struct dem_pose *b)
     return memcmp(a, b, sizeof *a) == 0;
 }
 
-static void pose_at(const struct dem_wall_frame *f, double time, struct dem_pose *pose)
+void dem_wall_frame_pose(const struct dem_wall_frame *f, double time, struct dem_pose *pose)
 {
     struct dem_pose motion;
+    struct dem_pose *const to = f->resumed ? &motion : pose;
 
-    if (!f->resumed)
+    if (f->compound)
     {
-        dem_motion_pose(&f->motion, time, pose);
-        return;
+        dem_compound_motion_pose(f->compound, time, to);
     }
-    dem_motion_pose(&f->motion, time, &motion);
-    dem_pose_product(&motion, &f->base, pose);
+    else
+    {
+        dem_motion_pose(&f->motion, time, to);
+    }
+    if (f->resumed)
+    {
+        dem_pose_product(&motion, &f->base, pose);
+    }
 }
 
 static int use_frame(struct dem_walls *w, int wall, const struct dem_motion *m,
@@ -81,7 +124,7 @@ static int use_frame(struct dem_walls *w, int wall, const struct dem_motion *m,
         DEM_TRY(DEM_GROW(w->frame, w->frame_capacity, w->frames + 1));
         w->frame[w->frames++] = (struct dem_wall_frame){
             .motion = *m, .base = *base, .resumed = !same_pose(base, &dem_pose_identity)};
-        pose_at(&w->frame[k], 0.0, &w->frame[k].pose);
+        dem_wall_frame_pose(&w->frame[k], 0.0, &w->frame[k].pose);
     }
     w->wall[wall].frame = k;
     return DEM_OK;
@@ -93,24 +136,85 @@ int dem_walls_set_motion(struct dem_walls *w, int wall, const struct dem_motion 
     return use_frame(w, wall, m, &dem_pose_identity);
 }
 
-int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_motion *was,
-                            const struct dem_pose *base, double time)
+int dem_walls_set_compound(struct dem_walls *w, int wall, struct dem_compound_motion *c)
+{
+    int status = check_compound(&w->wall[wall], c);
+
+    status = status ? status : DEM_GROW(w->frame, w->frame_capacity, w->frames + 1);
+    if (status)
+    {
+        dem_compound_motion_free(c);
+        return status;
+    }
+    struct dem_wall_frame *const f = &w->frame[w->frames];
+
+    *f = (struct dem_wall_frame){.motion = {.kind = DEM_MOTION_COMPOUND},
+                                 .compound = c,
+                                 .base = dem_pose_identity};
+    dem_wall_frame_pose(f, 0.0, &f->pose);
+    w->bodies += c->body != NULL;
+    w->wall[wall].frame = w->frames++;
+    return DEM_OK;
+}
+
+struct dem_wall_body *dem_walls_body(const struct dem_walls *w, int wall)
+{
+    const int frame = w->wall[wall].frame;
+
+    return frame >= 0 && w->frame[frame].compound ? w->frame[frame].compound->body : NULL;
+}
+
+/* The frame of a compound motion is of one wall, so its base may change in place. */
+static int rebase(struct dem_walls *w, int wall, const struct dem_motion *now,
+                  const struct dem_pose *base)
+{
+    const int frame = w->wall[wall].frame;
+
+    if (frame < 0 || !w->frame[frame].compound)
+    {
+        return same_pose(base, &dem_pose_identity) ? DEM_OK : use_frame(w, wall, now, base);
+    }
+    w->frame[frame].base = *base;
+    w->frame[frame].resumed = !same_pose(base, &dem_pose_identity);
+    dem_wall_frame_pose(&w->frame[frame], 0.0, &w->frame[frame].pose);
+    return DEM_OK;
+}
+
+int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_wall_before *was,
+                            double time)
 {
     static const struct dem_motion rest = {.kind = DEM_MOTION_REST};
     const int frame = w->wall[wall].frame;
-    const struct dem_motion now = frame < 0 ? rest : w->frame[frame].motion;
-    const struct dem_wall_frame before = {
-        .motion = *was, .base = *base, .resumed = !same_pose(base, &dem_pose_identity)};
-    struct dem_pose stood, motion, back, goes_on = *base;
+    struct dem_wall_frame now = {.motion = rest};
+    struct dem_wall_frame before = {.motion = was->motion,
+                                    .base = was->base,
+                                    .resumed = !same_pose(&was->base, &dem_pose_identity)};
+    struct dem_pose stood = was->stood, motion, back, base = was->base;
 
-    if (!same_motion(was, &now))
+    if (frame >= 0)
     {
-        pose_at(&before, time, &stood);
-        dem_motion_pose(&now, time, &motion);
-        dem_pose_inverse(&motion, &back);
-        dem_pose_product(&back, &stood, &goes_on);
+        now = w->frame[frame];
+        now.resumed = 0;
     }
-    return same_pose(&goes_on, &dem_pose_identity) ? DEM_OK : use_frame(w, wall, &now, &goes_on);
+    const int same = now.compound
+                         ? was->compound && dem_compound_motion_hash(now.compound) == was->hash
+                         : !was->compound && same_motion(&was->motion, &now.motion);
+
+    if (same && now.compound && now.compound->body)
+    {
+        now.compound->body->state = was->body;
+    }
+    if (!same)
+    {
+        if (!was->compound)
+        {
+            dem_wall_frame_pose(&before, time, &stood);
+        }
+        dem_wall_frame_pose(&now, time, &motion);
+        dem_pose_inverse(&motion, &back);
+        dem_pose_product(&back, &stood, &base);
+    }
+    return rebase(w, wall, &now.motion, &base);
 }
 
 const double *dem_walls_to_frame(const struct dem_walls *w, int wall, const double x[3],
@@ -140,7 +244,14 @@ static void add_push(const struct dem_walls *w, struct dem_wall *of, const doubl
     }
     dem_pose_point(&w->frame[of->frame].base, x, at);
     dem_pose_direction(&w->frame[of->frame].base, n, normal);
-    dem_motion_velocity(&w->frame[of->frame].motion, at, v);
+    if (w->frame[of->frame].compound)
+    {
+        dem_compound_motion_velocity(w->frame[of->frame].compound, at, v);
+    }
+    else
+    {
+        dem_motion_velocity(&w->frame[of->frame].motion, at, v);
+    }
     const double along = dem_vec_dot(v, normal), square = dem_vec_dot(v, v);
 
     of->push = fmax(of->push, of->shape == DEM_SHAPE_SPHERE ? sqrt(square)
@@ -247,9 +358,17 @@ void dem_walls_move(struct dem_walls *w, double time, double dt)
     w->displacement = 0.0;
     for (int k = 0; k < w->frames; k++)
     {
-        pose_at(&w->frame[k], time, &w->frame[k].pose);
+        dem_wall_frame_pose(&w->frame[k], time, &w->frame[k].pose);
         dem_walls_make_pose_periodic(w, &w->frame[k]);
-        dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
+        if (w->frame[k].compound)
+        {
+            dem_compound_motion_displacement(w->frame[k].compound, time, dt,
+                                             &w->frame[k].displacement);
+        }
+        else
+        {
+            dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
+        }
     }
     for (size_t k = 0; k < w->marks; k++)
     {
