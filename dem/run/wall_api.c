@@ -7,6 +7,9 @@
 #include "case/internal.h"
 #include "core/error.h"
 #include "dem_query.h"
+#include "ranks/collect.h"
+#include "records/totals.h"
+#include "records/wall_statistics.h"
 #include <math.h>
 #include <string.h>
 
@@ -52,4 +55,25 @@ int dem_wall_set_load(struct dem *d, const char *name, const double load[3])
     b->table = NULL;
     memcpy(b->force, load, sizeof b->force);
     return DEM_OK;
+}
+
+int dem_wall_work(struct dem *d, int wall, double *work)
+{
+    DEM_REQUIRE(wall >= 0 && wall < d->state.walls.walls, DEM_ERROR_INPUT,
+                "dem_wall_work: wall %d, but there are %d; numbers begin at 0", wall,
+                d->state.walls.walls);
+    DEM_REQUIRE(d->state.wall_statistics->sum, DEM_ERROR_STATE,
+                "dem_wall_work comes after dem_wall_impulse_reset");
+    *work = dem_totals_wall_work(&d->state, wall);
+    return dem_collect_status(&d->state.decomposition);
+}
+
+int dem_wall_axis(const struct dem *d, int wall, double origin[3], double axis[3])
+{
+    const int known = wall >= 0 && wall < d->state.walls.walls;
+
+    memset(origin, 0, 3*sizeof *origin);
+    memset(axis, 0, 3*sizeof *axis);
+    axis[2] = 1.0;
+    return known && dem_walls_axis(&d->state.walls, wall, origin, axis);
 }

@@ -78,10 +78,6 @@ void dem_compound_motion_displacement(const struct dem_compound_motion *c, doubl
     struct dem_pose now, before, turn, back;
 
     *d = (struct dem_wall_displacement){.sine = 0.0};
-    if (!(dt > 0.0))
-    {
-        return;
-    }
     pose_with(c, time, c->body ? c->body->state.q : NULL, &now);
     pose_with(c, time - dt, c->body ? c->body->state.before : NULL, &before);
     dem_pose_inverse(&before, &back);

@@ -45,7 +45,7 @@ struct dem_compound_motion
 void dem_compound_motion_free(struct dem_compound_motion *);    /* NULL is allowed */
 
 /* Pose at a time [s], with the body's present displacement; displacement over the step of length dt
-   that ends then, 0 with dt = 0. */
+   that ends then. */
 void dem_compound_motion_pose(const struct dem_compound_motion *, double time, struct dem_pose *);
 void dem_compound_motion_displacement(const struct dem_compound_motion *, double time, double dt,
                                       struct dem_wall_displacement *);

@@ -257,6 +257,10 @@ struct dem_wall_before
 int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_wall_before *,
                             double time);
 
+/* The axis [unit] and a point on it [m] about which a wall or its surface turns. Returns 0, and the z
+   axis, for a wall that does not turn about one axis fixed in space. */
+int dem_walls_axis(const struct dem_walls *, int wall, double origin[3], double axis[3]);
+
 /* The pose of a frame at a time [s]; of a body, with its present displacement. */
 void dem_wall_frame_pose(const struct dem_wall_frame *, double time, struct dem_pose *);
 
