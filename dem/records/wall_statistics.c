@@ -126,11 +126,12 @@ double dem_wall_statistics_power(const struct dem_state *p, uint32_t r, int ahea
     return dem_vec_dot(f, wall.velocity) + turning;
 }
 
-static void add_work(struct dem_state *p, double kick)
+void dem_wall_statistics_add_work(struct dem_state *p, double span, int ahead)
 {
     const struct dem_contact_rows *const rows = &p->contacts.rows;
+    const int wanted = p->wall_statistics->sum && !p->walls.all_flat_static && rows->n > 0;
 
-    for (int s = 0; s < rows->classes && rows->n > 0 && !p->walls.all_flat_static; s++)
+    for (int s = 0; s < rows->classes && wanted; s++)
     {
         const struct dem_segment *const at = &rows->segment[s];
         const uint32_t end =
@@ -139,11 +140,11 @@ static void add_work(struct dem_state *p, double kick)
         for (uint32_t r = at->first; r < end; r++)
         {
             const int facet = dem_pairs_facet(&p->pairs, dem_contacts_pair(&p->contacts, r)->j);
-            const double power = dem_wall_statistics_power(p, r, 0);
+            const double power = dem_wall_statistics_power(p, r, ahead);
 
             if (power != 0.0)
             {
-                dem_sum_add(&p->wall_statistics->work[p->walls.facet[facet].wall], power*kick);
+                dem_sum_add(&p->wall_statistics->work[p->walls.facet[facet].wall], power*span);
             }
         }
     }
@@ -191,6 +192,5 @@ void dem_wall_statistics_add_kick(struct dem_state *p, double kick)
     else if (p->wall_statistics->sum)
     {
         dem_wall_statistics_sum_forces(p, -1, kick, p->wall_statistics->sum);
-        add_work(p, kick);
     }
 }

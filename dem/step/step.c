@@ -91,6 +91,7 @@ static double drift(struct dem_state *state, int last)
     dem_walls_move(&state->walls, state->time, state->dt);
     dem_walls_advance(&state->walls, state->steps - state->window.steps_before,
                       state->window.steps);
+    dem_wall_statistics_add_work(state, 0.5*state->dt, 1);
     if (state->energy_balance->open)
     {
         dem_energy_balance_after_drift(state, state->dt);
@@ -241,6 +242,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     {
         dem_energy_balance_after_sweep(state, state->dt);
     }
+    dem_wall_statistics_add_work(state, 0.5*state->dt, 0);
     dem_wall_statistics_add_kick(state, pass->sweep->kick);
     dem_sum_bond_energies(&state->particles, &state->contacts);
     if (state->walls.bodies > 0)

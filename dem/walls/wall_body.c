@@ -74,6 +74,9 @@ static void given_force(const struct dem_wall_body *b, const struct dem_wall_bod
 
 /* ---- servo ----------------------------------------------------------------------------------- */
 
+/* An error of the force, of its target, that counts as near. */
+static const double near = 0.1;
+
 static void kick_servo(struct dem_wall_body *b, double target, const struct dem_wall_body_kick *in)
 {
     struct dem_wall_body_state *const s = &b->state;
@@ -84,13 +87,21 @@ static void kick_servo(struct dem_wall_body *b, double target, const struct dem_
     s->v[0] = fabs(wanted) < most*c ? wanted/c : wanted > 0.0 ? most : wanted < 0.0 ? -most : 0.0;
     if (s->contacts == 0.0)
     {
-        s->hold = s->height = 0.0;
+        s->hold = s->height = s->near = 0.0;
     }
     else if (s->height > 0.0 && fabs(s->v[0]) < most)
     {
         const double tau = 4.0*s->height/s->diameter*s->impedance/s->stiffness;
 
-        s->hold += in->h*error/tau;
+        if (s->near >= 0.25*tau)
+        {
+            s->near = INFINITY;
+            s->hold += in->h*error/tau;
+        }
+        else
+        {
+            s->near = fabs(error) < near*fabs(target) ? s->near + in->h : 0.0;
+        }
     }
 }
 

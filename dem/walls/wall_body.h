@@ -14,12 +14,13 @@
  *
  * It is the leapfrog of the particles, backward in c, so that m = 0 is allowed. That is the servo:
  *
- *   v = (F + f + H)/c,  |v| <= maxSpeed,    dH/dt = (F + f)/tau once |F + f| < F/10,  tau = 4 (L/d) Z/K
+ *   v = (F + f + H)/c,  |v| <= maxSpeed,    dH/dt = (F + f)/tau,  tau = 4 (L/d) Z/K
  *   c = max(Z, 1.5 (sum eta + K dt/2)),     Z = sum sqrt(k m_p),  K = sum k
  *
  *   k, eta  tangent stiffness and damping coefficient of a contact; m_p its particle's mass
  *   L, d    extent of the particles along the axis; mean diameter of those in contact
- *   H       makes up for c v of a wall that keeps moving; 0 without contact
+ *   H       makes up for c v of a wall that keeps moving; 0 without contact, and until |F + f| has been
+ *           below F/10 for a passage of sound through the bed, tau/4
  *
  * c = Z is the impedance of a bed: a wave that arrives at the wall is not reflected. The lower bound
  * keeps the wall stable, as dashpots feel its own speed: sum eta + K dt/2 < c. Sums are over the
@@ -66,7 +67,7 @@ struct dem_wall_body_state
     double v[3];                          /* m/s, rad/s */
     double force[3];                      /* N, N m  of the particles along the axes */
     double stiffness, impedance, dashpot, contacts, diameter;    /* the sums; mean diameter */
-    double hold, height;                  /* N, m  H; L, 0 before the target is near */
+    double hold, height, near;            /* N, m, s  H; L, 0 before the target is near; for how long */
     double free_path, free_since;         /* m, s  path since the last contact, and its begin */
 };
 
