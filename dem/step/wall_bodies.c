@@ -214,7 +214,7 @@ static int check_mass(const struct dem_state *state, const struct dem_wall *of,
     const double dt = state->dt, K = b->state.stiffness, least = K*dt*dt/max_swing;
     const int hinge = b->kind == DEM_WALL_BODY_HINGE;
 
-    DEM_REQUIRE(b->mass >= least, DEM_ERROR_INPUT,
+    DEM_REQUIRE(b->mass >= least, DEM_ERROR_NUMBER,
                 "wall %s: %.3g %s on contacts of %.3g %s swings too fast for the step %.3g s; use at "
                 "least %.3g %s", of->name, b->mass, hinge ? "kg m2" : "kg", K, hinge ? "N m" : "N/m",
                 dt, least, hinge ? "kg m2, or a smaller time/step" : "kg, or type servo");
@@ -231,12 +231,12 @@ static int check_servo(const struct dem_state *state, const struct dem_wall *of,
     {
         radius = fmax(radius, state->interaction_table.max_radius[m]);
     }
-    DEM_REQUIRE(s->free_path <= max_free_path*2.0*radius, DEM_ERROR_INPUT,
+    DEM_REQUIRE(s->free_path <= max_free_path*2.0*radius, DEM_ERROR_NUMBER,
                 "wall %s has met nothing over %.3g m since %.6g s; place it nearer, or turn its axis "
                 "round", of->name, s->free_path, s->free_since);
     const double least = s->dashpot + 0.5*s->stiffness*state->dt;
 
-    DEM_REQUIRE(b->damping < 0.0 || b->damping > least, DEM_ERROR_INPUT,
+    DEM_REQUIRE(b->damping < 0.0 || b->damping > least, DEM_ERROR_NUMBER,
                 "wall %s: damping %.3g kg/s is below %.3g kg/s, the damping of its contacts and half of "
                 "their stiffness times the step, so that it swings; use more, or leave it out",
                 of->name, b->damping, least);
