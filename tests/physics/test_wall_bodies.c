@@ -218,19 +218,29 @@ static void energy(void)
     TAP_NEAR((kinetic + lost)/loads, 1.0, 1e-12, "the work of its weight and load");
     world_run(d, 0.05);
     TAP_OK(force_z(d, 6) > 0.0, "it lies on the bed");
-    const double residual = fabs(energy_term(d, "residual"))/energy_term(d, "work_loads");
-
-    TAP_NEAR(residual, 0.0, 1e-3, "energy balance of lid and bed");
+    TAP_NEAR(energy_term(d, "residual")/energy_term(d, "work_loads"), 0.0, 1e-3,
+             "energy balance of lid and bed");
     /* the half steps at the end of a run: force times acceleration times dt^2/8 */
     TAP_NEAR(energy_term(d, "work_walls")/energy_term(d, "work_loads"), 0.0, 1e-6,
              "no wall has a given motion, and none does work");
     dem_free(d);
-    struct dem *const fine = energy_world(world_text("%s time { step 2e-6; }", scene), 0, NULL);
+}
 
-    world_run(fine, 0.0504);
-    TAP_OK(fabs(energy_term(fine, "residual"))/energy_term(fine, "work_loads") < 0.35*residual,
-           "whose error falls with the square of the step");
-    dem_free(fine);
+/* A lid that a load throws on a sphere: elastic, so the error of the balance is the integrator's. */
+static double thrown(double step)
+{
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass", .position = {0.0, 0.0, R}};
+    struct dem *const d = energy_world(
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} } "
+                   "walls { floor { type plane; point (0 0 0); normal (0 0 1); } lid { type plane; point (0 0 1.1e-3); "
+                   "normal (0 0 -1); motion { type free; mass 5e-6; force (0 0 -1e-2); } } } time { step %g; }", step),
+        1, &seed);
+
+    world_run(d, 5e-4);
+    const double residual = energy_term(d, "residual")/energy_term(d, "work_loads");
+
+    dem_free(d);
+    return residual;
 }
 
 /* ---- restart --------------------------------------------------------------------------------- */
@@ -333,7 +343,7 @@ static void refusals(void)
                                     "mass 1; }"), "wall w is round");
     world_refused(world_text(walls, "type plane; point (0 0 0); normal (0 0 1); motion ( { type free; mass 1; } "
                                     "{ type translation; velocity (1 0 0); } );"), "is the last one of a wall");
-    ends("type free; axis (0 0 1); mass 1e-9; force (0 0 -0.01);", "kg, or type servo");
+    ends("type free; axis (0 0 1); mass 1e-7; force (0 0 -0.01);", "kg, or type servo");
     ends("type servo; axis (0 0 1); force 1; maxSpeed 1;", "wall lid has met nothing over");
     ends("type servo; axis (0 0 -1); force 0.01; maxSpeed 1; damping 1e-6;", "so that it swings");
 }
@@ -347,6 +357,7 @@ int main(void)
     hinge();
     ball_on_flap();
     energy();
+    TAP_NEAR(thrown(2e-6)/thrown(1e-6), 4.0, 0.2, "the error of the balance falls with the square of the step");
     restart("type servo; axis (0 0 -1); pressure 1e3; area 64e-6; maxSpeed 0.5;", "servo");
     restart("type free; axes (z); mass 1e-3; force (0 0 -0.05);", "free lid");
     restart("type hinge; origin (0 0 11e-3); axis (0 1 0); inertia 1e-7; torque 2e-4;", "hinge");
