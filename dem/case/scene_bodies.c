@@ -107,13 +107,13 @@ static int read_axes(const struct dem_dict *dict, struct dem_wall_body *b)
 
 static int read_free(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
 {
-    bool gravity;
+    bool weight;
 
     b->kind = DEM_WALL_BODY_FREE;
     DEM_TRY(read_positive(dict, "mass", "kg", &b->mass));
     DEM_TRY(read_damping(dict, "kg/s", 0.0, b));
-    DEM_TRY(dem_dict_switch_or(dict, "gravity", true, &gravity));
-    b->weighs = gravity ? b->mass : 0.0;
+    DEM_TRY(dem_dict_switch_or(dict, "weight", true, &weight));
+    b->weighs = weight ? b->mass : 0.0;
     DEM_TRY(read_load(dict, "force", "N", b));
     if (dem_dict_has(dict, "axes"))
     {

@@ -115,7 +115,7 @@ static const struct row
     {"walls/plate/motion/type", "free", WORD, 1},
     {"walls/plate/motion/mass", "1", NUMBER, 1},
     {"walls/plate/motion/damping", "1", NUMBER, 0},
-    {"walls/plate/motion/gravity", "no", SWITCH, 0},
+    {"walls/plate/motion/weight", "no", SWITCH, 0},
     {"walls/plate/motion/force", "(0 0 1)", VECTOR, 0},
     {"walls/plate/motion/axis", "(0 0 1)", VECTOR, 0},
     {"walls/belt/type", "triangles", WORD, 1},
