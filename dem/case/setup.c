@@ -274,28 +274,11 @@ static void begin_device(struct dem *d)
     }
 }
 
-/* The fluid moves the mesh, and would have to be moved by these walls. */
-static int refuse_bodies(const struct dem *d)
-{
-    const struct dem_walls *const w = &d->state.walls;
-    int k = 0;
-
-    while (k < w->walls && !dem_walls_body(w, k))
-    {
-        k++;
-    }
-    DEM_REQUIRE(!d->coupled || k == w->walls, DEM_ERROR_INPUT,
-                "wall %s is moved by force, which a run with a fluid cannot do; give it a motion in time, "
-                "or run without the fluid", w->wall[k].name);
-    return DEM_OK;
-}
-
 static int set_up(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
     DEM_TRY(c->checked ? DEM_OK : dem_api_read_scene(c));
-    DEM_TRY(refuse_bodies(d));
     DEM_TRY(place_particles(c));
     d->driven = dem_totals_any_driven(&d->state);
     if (has_energy_balance(c))

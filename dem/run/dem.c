@@ -34,6 +34,9 @@ static int check_fluid(const struct dem *d)
     DEM_REQUIRE(!(d->coupled && d->state.applied_forces.n > 0), DEM_ERROR_INPUT,
                 "the scene has forces, which the balances of a coupled run do not know; remove "
                 "forces, or run the scene by itself");
+    DEM_REQUIRE(!(d->coupled && d->state.walls.bodies > 0), DEM_ERROR_INPUT,
+                "a wall is moved by force, to which the fluid does not add its own; give it a motion in "
+                "time, or run the scene by itself");
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->flow_on_request
                     || d->state.flows->plan->streams == 0,
                 DEM_ERROR_STATE,

@@ -312,6 +312,18 @@ static void refuse(const char *lid, const char *words)
     world_refused(pressed("", lid), words);
 }
 
+/* A program with a fluid. */
+static void refuse_fluid(void)
+{
+    struct dem *const d = world(pressed("", "type free; mass 1;"), 0, NULL);
+    struct dem_fluid fluid;
+
+    WORLD_TRY(dem_fluid(d, &fluid));
+    TAP_OK(dem_advance(d, 1e-3) == DEM_ERROR_INPUT && strstr(dem_error_text(), "a wall is moved by force"),
+           "refused: %s", dem_error_text());
+    dem_free(d);
+}
+
 /* The run ends with a sentence with these words. */
 static void ends(const char *lid, const char *words)
 {
@@ -363,5 +375,6 @@ int main(void)
     restart("type hinge; origin (0 0 11e-3); axis (0 1 0); inertia 1e-7; torque 2e-4;", "hinge");
     loads();
     refusals();
+    refuse_fluid();
     TAP_DONE;
 }
