@@ -6,13 +6,13 @@
 #ifndef TESTS_EFFECTS_MOMENTS_H
 #define TESTS_EFFECTS_MOMENTS_H
 
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, .poissons_ratio = 0.25};
 static const double moments_pi = 3.14159265358979324;
 
 /* one row by hand: normal z, R* = 4 mm, m* = 1 g, k_n = 1e4 N/m, overlap 1 um, pressed with 10 N */
-static inline struct rows_effect *moments_row(struct contact_rows *w, const struct dem_effect *effect,
+static inline struct rows_effect *moments_row(struct law_rows *w, const struct dem_effect *effect,
                                                  const char *name, double value)
 {
     rows_wall(w, &moments_bead, &moments_bead, 0.004);
@@ -31,19 +31,19 @@ static inline struct rows_effect *moments_row(struct contact_rows *w, const stru
     return l;
 }
 
-static inline void moments_evaluate(struct contact_rows *w, struct rows_effect *l)
+static inline void moments_evaluate(struct law_rows *w, struct rows_effect *l)
 {
     w->b.mx[0] = w->b.my[0] = w->b.mz[0] = 0.0;
     l->effect->apply(l->settings, &w->b, l->history);
 }
 
-static inline double moments_size(const struct contact_rows *w)
+static inline double moments_size(const struct law_rows *w)
 {
     return sqrt(w->b.mx[0]*w->b.mx[0] + w->b.my[0]*w->b.my[0] + w->b.mz[0]*w->b.mz[0]);
 }
 
 /* common claims: no moment at rest, apart or under attraction; refused without a normal law */
-static inline void moments_common(struct contact_rows *w, const struct dem_effect *effect,
+static inline void moments_common(struct law_rows *w, const struct dem_effect *effect,
                                 const char *name, double value)
 {
     struct rows_effect *l = moments_row(w, effect, name, value);
@@ -65,7 +65,7 @@ static inline void moments_common(struct contact_rows *w, const struct dem_effec
     TAP_OK(apply_setting(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w->pair.exponent = 0.0;
-    TAP_OK(effect->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_effect_prepare(effect, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN),
            "it is declared as a law of moments that needs the spin");
 }

@@ -6,7 +6,7 @@
 #ifndef TESTS_EFFECTS_TANGENTIAL_H
 #define TESTS_EFFECTS_TANGENTIAL_H
 
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material tangential_oxide =
     {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23};
@@ -16,7 +16,7 @@ static const double tangential_pi = 3.14159265358979324;
 
 /* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential
    damping */
-static inline struct rows_effect *tangential_row(struct contact_rows *w, const struct dem_effect *law,
+static inline struct rows_effect *tangential_row(struct law_rows *w, const struct dem_effect *law,
                                                     double friction, double damping)
 {
     rows_wall(w, &tangential_oxide, &tangential_soda, 0.004);
@@ -35,13 +35,13 @@ static inline struct rows_effect *tangential_row(struct contact_rows *w, const s
     return l;
 }
 
-static inline void tangential_evaluate(struct contact_rows *w, struct rows_effect *l)
+static inline void tangential_evaluate(struct law_rows *w, struct rows_effect *l)
 {
     w->b.fx[0] = w->b.fy[0] = w->b.fz[0] = 0.0;
     l->effect->apply(l->settings, &w->b, l->history);
 }
 
-static inline double tangential_size(const struct contact_rows *w)
+static inline double tangential_size(const struct law_rows *w)
 {
     return sqrt(w->b.fx[0]*w->b.fx[0] + w->b.fy[0]*w->b.fy[0] + w->b.fz[0]*w->b.fz[0]);
 }
@@ -49,7 +49,7 @@ static inline double tangential_size(const struct contact_rows *w)
 /* A loaded spring of a pair that spins about n as one body rotates with it and keeps its length.
    Slip at a constant rate in space during the rotation describes a circle, and vanishes after each
    turn. */
-static inline void tangential_rotation(struct contact_rows *w, const struct dem_effect *law)
+static inline void tangential_rotation(struct law_rows *w, const struct dem_effect *law)
 {
     enum { TURN = 1000 };
     const double angle = 2.0*tangential_pi/TURN, slip = 1e-3;
@@ -95,7 +95,7 @@ static inline void tangential_rotation(struct contact_rows *w, const struct dem_
 
 /* Slip to and fro under a varying normal force: in no step does the stored energy grow by more than
    the work done, with little or much damping. */
-static inline void tangential_energy(struct contact_rows *w, const struct dem_effect *law)
+static inline void tangential_energy(struct law_rows *w, const struct dem_effect *law)
 {
     static const double eta[] = {0.0, 0.1, 3.0, 30.0};
 
@@ -135,7 +135,7 @@ static inline void tangential_energy(struct contact_rows *w, const struct dem_ef
 }
 
 /* sticking, sliding, attraction, separation; the spring has the stiffness k_t */
-static inline void tangential_claims(struct contact_rows *w, const struct dem_effect *law)
+static inline void tangential_claims(struct law_rows *w, const struct dem_effect *law)
 {
     tangential_rotation(w, law);
     tangential_energy(w, law);
@@ -194,7 +194,7 @@ static inline void tangential_claims(struct contact_rows *w, const struct dem_ef
     TAP_OK(apply_setting(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w->pair.exponent = 0.0;
-    TAP_OK(law->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_effect_prepare(law, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
 }
 
 #endif

@@ -4,11 +4,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material oxide = {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23};
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
-static struct contact_rows w;
+static struct law_rows w;
 
 static void row(double e, int attraction, double exponent, double vn, double *fn, double *eta)
 {

@@ -4,12 +4,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static void law(void)
 {
     const struct dem_material glass = material("glass", 48e9, 0.2, 2800.0);
-    struct contact_rows w;
+    struct law_rows w;
 
     rows_spheres(&w, &glass, &glass, 0.01, 0.03);
     rows_add(&w, &dem_hertz, "impactSpeed", 1.0);
@@ -40,7 +40,7 @@ static void limits(void)
     const struct dem_material glass = material("glass", 48e9, 0.2, 2800.0),
                               soft = material("rubber", 1e6, 0.49, 1100.0);
     const char *why = "";
-    struct contact_rows w;
+    struct law_rows w;
 
     /* T_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766): 12.93 us for R = 10 mm; t_c/20 at 1 m/s is 3.67
        us, 0.2 T_R 2.59 us */

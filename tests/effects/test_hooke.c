@@ -4,12 +4,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, .poissons_ratio = 0.3},
                                  stone = {"stone", 2700.0, 5e7, .poissons_ratio = 0.2};
 static const double pi = 3.14159265358979324;
-static struct contact_rows w;
+static struct law_rows w;
 
 static void law(void)
 {

@@ -5,11 +5,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
-static struct contact_rows w;
+static struct law_rows w;
 
 /* the reference pair: two spheres of 1 mm radius, k_m = 5 k, phi = 0.05, k from 1 m/s */
 static const double k = 1090.8212625, d_lim = 6.25e-5;

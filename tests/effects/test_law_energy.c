@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 #include "core/random.h"
 
@@ -15,7 +15,7 @@ enum
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m */
-static struct contact_rows w;
+static struct law_rows w;
 static struct dem_energy e;
 static struct rows_effect *normal, *law;
 static _Alignas(64) double column[ROWS_HISTORY][DEM_BATCH_ROWS];

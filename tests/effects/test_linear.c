@@ -5,7 +5,7 @@
  */
 #include "tangential.h"
 
-static struct contact_rows w;
+static struct law_rows w;
 
 static void stiffness(void)
 {

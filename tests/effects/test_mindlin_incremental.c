@@ -6,7 +6,7 @@
  */
 #include "tangential.h"
 
-static struct contact_rows w;
+static struct law_rows w;
 
 /* one step at this overlap and slip; the force */
 static double step(struct rows_effect *l, double overlap, double slip)

@@ -6,7 +6,7 @@
  */
 #include "moments.h"
 
-static struct contact_rows w;
+static struct law_rows w;
 
 /* K as set, or 6 G*:E* */
 static struct rows_effect *row(double friction, double K, double zeta)

@@ -9,7 +9,7 @@
  */
 #include "moments.h"
 
-static struct contact_rows w;
+static struct law_rows w;
 
 static void torque(void)
 {

@@ -6,10 +6,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, .poissons_ratio = 0.3};
-static struct contact_rows w;
+static struct law_rows w;
 
 int main(void)
 {

@@ -5,13 +5,13 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material steel = {"steel", 7800.0, 200e9, .poissons_ratio = 0.3},
                                  glass = {"glass", 2540.0, 60e9, .poissons_ratio = 0.23};
 static const struct dem_material rigid = {"rigid", 1.0, INFINITY, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
-static struct contact_rows w;
+static struct law_rows w;
 
 /* one row by hand: m* = 2 g, R* = 3 mm, kn = 1e6 N/m, touching; returns alpha = eta/sqrt(m* kn) */
 static double alpha(const struct rows_effect *l, double vn, double fluid, double *speed)

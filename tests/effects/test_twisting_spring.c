@@ -6,7 +6,7 @@
  */
 #include "moments.h"
 
-static struct contact_rows w;
+static struct law_rows w;
 
 static void spring(void)
 {

@@ -7,10 +7,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contact_rows.h"
+#include "law_rows.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, .poissons_ratio = 0.3};
-static struct contact_rows w;
+static struct law_rows w;
 
 /* one row: spring force, normal speed; the sum, and eta */
 static double row(double spring, double vn, int attraction, double *eta)
@@ -52,6 +52,6 @@ int main(void)
     TAP_OK(apply_setting(&dem_viscous, l->settings, &w.pair, "coefficient", -1.0) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w.pair.exponent = 0.0;
-    TAP_OK(dem_viscous.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_effect_prepare(&dem_viscous, l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_DONE;
 }

@@ -1,8 +1,8 @@
 /*
- * contact_rows.h -- contact rows filled by hand: two spheres, or a sphere and a plane, and the laws
+ * law_rows.h -- contact rows filled by hand: two spheres, or a sphere and a plane, and the laws
  * between them.
  *
- *   struct contact_rows w;
+ *   struct law_rows w;
  *   rows_spheres(&w, &glass, &glass, 0.01, 0.01);    or rows_wall(&w, &glass, &glass, 0.01)
  *   struct rows_effect *l = rows_add(&w, &dem_hertz, "impactSpeed", 1.0);
  *   w.b.n = 1; w.b.overlap[0] = 1e-6; ...               the rows
@@ -10,10 +10,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_CONTACT_ROWS_H
-#define TESTS_EFFECTS_CONTACT_ROWS_H
+#ifndef TESTS_EFFECTS_LAW_ROWS_H
+#define TESTS_EFFECTS_LAW_ROWS_H
 
 #include "laws/effects.h"
+#include "laws/interaction_table.h"
 #include "unit/tap.h"
 
 #include <stdlib.h>
@@ -34,7 +35,7 @@ struct rows_effect
     double *history[ROWS_HISTORY];
 };
 
-struct contact_rows
+struct law_rows
 {
     struct dem_pair_class pair;
     /* the wall: radius 0, mass 0 for infinite */
@@ -58,7 +59,7 @@ static inline double sphere_mass(double radius, double density)
 }
 
 /* E* and G* of the class; a rigid wall has an infinite modulus and adds nothing */
-static inline void rows_class(struct contact_rows *w, const struct dem_material *a,
+static inline void rows_class(struct law_rows *w, const struct dem_material *a,
                                  const struct dem_material *b, int wall)
 {
     double e = 0.0, g = 0.0;
@@ -75,7 +76,7 @@ static inline void rows_class(struct contact_rows *w, const struct dem_material 
                                       .reduced_shear = 1.0/g, .exponent = 1.0};
 }
 
-static inline void rows_spheres(struct contact_rows *w, const struct dem_material *a,
+static inline void rows_spheres(struct law_rows *w, const struct dem_material *a,
                                    const struct dem_material *b, double radius_a, double radius_b)
 {
     memset(w, 0, sizeof *w);
@@ -88,7 +89,7 @@ static inline void rows_spheres(struct contact_rows *w, const struct dem_materia
     w->pair.min_mass = w->mass[0]*w->mass[1]/(w->mass[0] + w->mass[1]);
 }
 
-static inline void rows_wall(struct contact_rows *w, const struct dem_material *a,
+static inline void rows_wall(struct law_rows *w, const struct dem_material *a,
                                 const struct dem_material *b, double radius)
 {
     memset(w, 0, sizeof *w);
@@ -100,7 +101,7 @@ static inline void rows_wall(struct contact_rows *w, const struct dem_material *
 }
 
 /* 4/3 E* sqrt(R*): F = this d^1.5 */
-static inline double rows_hertz(const struct contact_rows *w)
+static inline double rows_hertz(const struct law_rows *w)
 {
     return 4.0/3.0*w->pair.reduced_modulus*sqrt(w->pair.min_radius);
 }
@@ -128,7 +129,7 @@ static inline int apply_setting(const struct dem_effect *effect, void *settings,
 
 /* append an effect with one setting; more by apply_setting(w.effect_entry[k].effect,
    w.effect_entry[k].settings, &w.pair, ...) */
-static inline struct rows_effect *rows_add(struct contact_rows *w, const struct dem_effect *effect,
+static inline struct rows_effect *rows_add(struct law_rows *w, const struct dem_effect *effect,
                                                  const char *name, double value)
 {
     struct rows_effect *const l = &w->effect_entry[w->effects++];
