@@ -1,5 +1,5 @@
 /*
- * device_columns.c -- the columns of particles in a fluid on the device, one after the other in one
+ * device_columns.c -- columns of particles on the device: a fluid's, and orientations; one after the other in one
  * memory.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -33,6 +33,8 @@ static const struct
     {DEM_COLUMN_DRAG_TIME, "DRAG_TIME", 1},
     {DEM_COLUMN_OTHER_IMPULSE, "OTHER_IMPULSE", 1},
     {DEM_COLUMN_ANGULAR_IMPULSE, "ANGULAR_IMPULSE", 1},
+    {DEM_COLUMN_OWN_WAKE, "OWN_WAKE", 0},
+    {DEM_COLUMN_ORIENTATION, "ORIENTATION", 1},
 };
 
 enum

@@ -185,8 +185,9 @@ static void dem_row_add_surface(global const struct dem_facet *restrict in_memor
     r->reduced_radius = dem_facet_reduced_radius(&facet, r->min_radius);
 }
 
-/* surface: some wall of the scene is curved, moves or conveys. */
+/* contact: from facets.cl, or NULL. surface: some wall of the scene is curved, moves or conveys. */
 static void dem_row_of_wall(global const double4 *restrict record,
+                            global const double4 *restrict contact,
                             global const struct dem_facet *restrict facet,
                             global const struct dem_device_frame *restrict frames,
                             global const struct dem_wall_drive *restrict drives, int surface,
@@ -194,10 +195,25 @@ static void dem_row_of_wall(global const double4 *restrict record,
 {
     const double4 x = record[0], v = record[1], w = record[2];
     const double at[3] = {x.x, x.y, x.z};
-    double point[3], normal[3];
+    double point[3], normal[3], h;
     struct dem_gathered g;
 
-    const double h = dem_wall_touch(facet, frames, at, point, normal);
+    if (contact)
+    {
+        const double4 p = contact[0], n = contact[1];
+
+        point[0] = p.x;
+        point[1] = p.y;
+        point[2] = p.z;
+        normal[0] = n.x;
+        normal[1] = n.y;
+        normal[2] = n.z;
+        h = p.w;
+    }
+    else
+    {
+        h = dem_wall_touch(facet, frames, at, point, normal);
+    }
     const double distance = h < 4.0*x.w ? h : 4.0*x.w;
 
     g.vx[0] = v.x;
@@ -229,8 +245,12 @@ static void dem_row_of_wall(global const double4 *restrict record,
         r->normal_spin += 0.5*((0.5*g.bx[0] - r->wx)*r->nx + (0.5*g.by[0] - r->wy)*r->ny +
                                (0.5*g.bz[0] - r->wz)*r->nz);
     }
-    r->distance = h;
-    r->gap = h - r->min_radius;
+    /* another facet has taken over the contact: along the old normal */
+    r->is_primary = h > 0.5*DBL_MAX ? 0.0 : 1.0;
+    r->distance = h > 0.5*DBL_MAX ? (x.x - point[0])*normal[0] + (x.y - point[1])*normal[1] +
+                                        (x.z - point[2])*normal[2]
+                                  : h;
+    r->gap = r->distance - r->min_radius;
     *gathered = g;
 }
 

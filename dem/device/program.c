@@ -13,6 +13,7 @@
 #include "device/device_columns.h"
 #include "device/texts.h"
 #include "laws/effects.h"
+#include "walls/spring_kinds.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,6 +28,7 @@ struct composer
     struct dem_text *out;
     const struct dem_device_text *included[TEXTS];
     int n;
+    const struct dem_walls *walls;
     int viscosity;                /* 1: particles have the viscosity of the fluid around them */
 };
 
@@ -300,8 +302,7 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
     dem_text_add(c->out, "}\n");
 }
 
-static int add_class(struct composer *c, const struct dem_interaction_table *table, int class,
-                     int surface)
+static int add_class(struct composer *c, const struct dem_interaction_table *table, int class)
 {
     const struct dem_effect_list *const list = &table->list[class];
     struct columns h;
@@ -324,9 +325,14 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
                  "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
                  "#define VISCOSITY %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
-                 (list->needs & DEM_NEEDS_RANDOM) != 0, surface,
+                 (list->needs & DEM_NEEDS_RANDOM) != 0, !c->walls->all_flat_static,
                  c->viscosity && list->needs & DEM_NEEDS_VISCOSITY);
     return include_name(c, "device/rows.cl");
+}
+
+int dem_device_has_facets(const struct dem_walls *w)
+{
+    return w->triangles > 0 || w->facets > 1 || w->absorbing > 0;
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */
@@ -355,16 +361,40 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     }
     dem_text_add(c->out, "}\n#define BODIES body_laws\n#define MOMENTS %d\n"
                  "#define PAST_TOUCHING %d\n", table->moments, table->past_touching);
+    DEM_TRY(include_name(c, "device/loads.cl"));
     return include_name(c, "device/bodies.cl");
 }
 
+/* Contacts with several facets. */
+static int add_facets(struct composer *c, const struct dem_interaction_table *table)
+{
+    enum dem_spring_kind kind[DEM_HISTORY_COLUMNS];
+
+    dem_spring_kinds(table, kind);
+    dem_text_add(c->out, "#define FACETS %d\n#define TRIANGLES %d\n#define HISTORY %d\n"
+                 "#define CLASS_EXPONENTS", dem_device_has_facets(c->walls),
+                 c->walls->triangles > 0, table->history_columns);
+    for (int k = 0; k < table->classes; k++)
+    {
+        dem_text_add(c->out, "%s %a", k > 0 ? "," : "", table->list[k].pair.exponent);
+    }
+    dem_text_add(c->out, "\n#define SPRING_KINDS 0");
+    for (int m = 0; m < table->history_columns; m++)
+    {
+        dem_text_add(c->out, m > 0 ? ", %d" : " + %d", (int)kind[m]);
+    }
+    dem_text_add(c->out, "\n");
+    return dem_device_has_facets(c->walls) ? include_name(c, "device/facets.cl") : DEM_OK;
+}
+
 static int compose(struct composer *c, const struct dem_interaction_table *table,
-                   const struct dem_particles *particles, int surface)
+                   const struct dem_particles *particles)
 {
     dem_text_add(c->out, "#define FLUID %d\n#define WHOLE_DRAG %d\n",
                  dem_device_columns_text(particles, c->out), table->bodies.whole_drag);
     c->viscosity = particles->batch.n > 0;
     DEM_TRY(include_name(c, "device/gather.cl"));
+    DEM_TRY(add_facets(c, table));
     for (int k = 0; k < table->classes; k++)
     {
         DEM_TRY(include_laws(c, &table->list[k]));
@@ -372,7 +402,7 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(include_laws(c, &table->bodies));
     for (int k = 0; k < table->classes; k++)
     {
-        DEM_TRY(add_class(c, table, k, surface));
+        DEM_TRY(add_class(c, table, k));
     }
     DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? include_name(c, "device/fluid.cl")
                                                              : DEM_OK);
@@ -382,10 +412,11 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
 }
 
 int dem_device_program(const struct dem_interaction_table *table,
-                       const struct dem_particles *particles, int surface, struct dem_text *text)
+                       const struct dem_particles *particles, const struct dem_walls *walls,
+                       struct dem_text *text)
 {
-    struct composer c = {.out = text};
-    const int status = compose(&c, table, particles, surface);
+    struct composer c = {.out = text, .walls = walls};
+    const int status = compose(&c, table, particles);
 
     return status ? status : text->status;
 }

@@ -5,8 +5,8 @@
  *   KERNEL, LAWS     name of the kernel; of the function that applies the laws to a row
  *   COLUMNS          history columns of the laws, whose places are in COLUMN_OF
  *   WITH_WALL, PAST_TOUCHING, RANDOM, VISCOSITY    1 or 0, as the host's effect list
- *   MOMENTS, ENERGY, SURFACE    1 or 0, of all classes: there are moments; energies; walls that are
- *                               curved or move
+ *   MOMENTS, ENERGY, SURFACE, FACETS    1 or 0, of all classes: there are moments; energies; walls that
+ *                               are curved or move; contacts of facets.cl
  *
  * The arithmetic is the host's (step/fill_batch.c, step/store_forces.c): the same operations in the
  * same order. A row that does not touch leaves no force; touch[row] says so to the sums, and that the
@@ -23,7 +23,8 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
             global double4 *restrict moment, global double4 *restrict energy,
             global const struct dem_device_frame *restrict frames,
             global const double *restrict columns,
-            global const struct dem_wall_drive *restrict drives)
+            global const struct dem_wall_drive *restrict drives,
+            global const double4 *restrict contacts)
 {
     const uint k = get_global_id(0), row = first + k;
     double h[COLUMNS + 1];
@@ -38,7 +39,8 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 
     dem_row_begin(b, s, &r);
 #if WITH_WALL
-    dem_row_of_wall(record + 4*(size_t)partners[row].x, facets + partners[row].y,
+    dem_row_of_wall(record + 4*(size_t)partners[row].x,
+                    FACETS ? contacts + 2*(size_t)(row - b->walls) : 0, facets + partners[row].y,
                     frames + s*b->frames, drives, SURFACE, &g, &r);
 #else
     dem_row_of_pair(record, partners[row], shift, RANDOM, &g, &r);
