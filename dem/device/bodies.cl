@@ -64,7 +64,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
             global const double4 *restrict force, global const double4 *restrict moment,
             global const double4 *restrict energy, global const uint *restrict start,
             global const uint *restrict entry, global double *restrict lost,
-            constant struct dem_device_axes *axes, global double *restrict columns)
+            constant struct dem_device_axes *axes, global double *restrict columns,
+            global const double *restrict rates)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -82,12 +83,12 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         /* the host has turned particles before the first step */
         global double4 *const turned =
             (global double4 *)(columns + (size_t)COLUMN_ORIENTATION*b->particles) + i;
-        double q[4] = {turned->x, turned->y, turned->z, turned->w};
+        double turn_of[4] = {turned->x, turned->y, turned->z, turned->w};
 
         if (b->first + (int64_t)s > b->first_of_all)
         {
-            dem_turn(w.x, w.y, w.z, 0.5*b->dt, q);
-            *turned = (double4)(q[0], q[1], q[2], q[3]);
+            dem_turn(w.x, w.y, w.z, 0.5*b->dt, turn_of);
+            *turned = (double4)(turn_of[0], turn_of[1], turn_of[2], turn_of[3]);
         }
 #endif
         double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
@@ -108,14 +109,20 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 
         const double h = b->dt;
 
-#if FLUID
+#if FLUID || SCALARS
         const uint n = b->particles;
+#endif
+#if SCALARS
+        struct dem_particle_scalars q;
 
+        dem_particle_scalars_begin(columns, n, i, b->over_window, rates, touch, start, entry, &q);
+#endif
+#if FLUID
         dem_fluid_begin(columns, n, i, b->over_window, &r);
-        BODIES(&r);
+        BODIES(BODY_ARGUMENTS);
         dem_fluid_kick(columns, n, i, h, &r, &v);
 #else
-        BODIES(&r);
+        BODIES(BODY_ARGUMENTS);
 
         const double step = h*v.w;
 
@@ -136,6 +143,12 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         w.x += turn*t[0];
         w.y += turn*t[1];
         w.z += turn*t[2];
+#endif
+#if SCALARS
+        if (dem_particle_scalars_end(columns, n, i, h, rest.x, (uint)as_ulong(rest.z) & 0xffffu, &q))
+        {
+            dem_report_event(report, DEM_DEVICE_NOT_FINITE, s);
+        }
 #endif
         v.x = axes->flat[0] ? 0.0 : v.x;
         v.y = axes->flat[1] ? 0.0 : v.y;

@@ -8,11 +8,16 @@
 #include "core/memory.h"
 #include "device/device_internal.h"
 #include "device/program.h"
+#include <math.h>
 #include <string.h>
 
 /* ---- constants --------------------------------------------------------------------------------- */
 
-/* A facet names the frame, the drive and the number of its wall. */
+_Static_assert((int)DEM_DEVICE_MATERIALS == (int)DEM_MATERIALS &&
+                   (int)DEM_DEVICE_CARRIED_OVER == (int)DEM_SCALAR_CARRIED_OVER &&
+                   (int)DEM_DEVICE_DECAY == (int)DEM_SCALAR_DECAY, "shared.h repeats them");
+
+/* A facet names the frame and the number of its wall. */
 static int put_facets(struct dem_device *d, const struct dem_walls *w)
 {
     const size_t bytes = (size_t)w->facets*sizeof *w->facet;
@@ -25,8 +30,8 @@ static int put_facets(struct dem_device *d, const struct dem_walls *w)
         const int wall = w->facet[k].wall;
 
         facet[k].wall = w->wall[wall].frame;
-        facet[k].number = w->wall[wall].driven ? wall : -1;
-        facet[k].largest = 2*(uint32_t)wall + (w->wall[wall].absorbs != NULL);
+        facet[k].largest = (uint32_t)wall << 2 | (w->wall[wall].driven ? DEM_DEVICE_DRIVEN : 0) |
+                           (w->wall[wall].absorbs ? DEM_DEVICE_ABSORBS : 0);
     }
     const int status = dem_opencl_put(d->cl, &d->facets, bytes, facet);
 
@@ -90,12 +95,40 @@ static int put_images(struct dem_device *d, const struct dem_walls *w)
     return status;
 }
 
+/* What walls give to scalars. */
+static int put_conditions(struct dem_device *d, const struct dem_walls *w, int scalars)
+{
+    struct dem_device_condition *all;
+
+    DEM_TRY(DEM_NEW(all, (size_t)w->walls*(size_t)scalars + 1));
+    for (int k = 0; k < w->walls*scalars; k++)
+    {
+        const struct dem_wall_scalar *const s = w->wall[k/scalars].scalars;
+
+        all[k].end = -INFINITY;
+        if (s)
+        {
+            const struct dem_wall_scalar *const of = &s[k%scalars];
+
+            all[k] = (struct dem_device_condition){.value = of->value, .flux = of->flux,
+                                                   .film = of->film, .start = of->start,
+                                                   .end = of->end, .given = of->given};
+        }
+    }
+    const int status = dem_opencl_put(d->cl, &d->conditions,
+                                      (size_t)w->walls*(size_t)scalars*sizeof *all, all);
+
+    dem_memory_free(all);
+    return status;
+}
+
 int dem_device_begin_facets(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_walls *const w = &state->walls;
 
     DEM_TRY(put_facets(d, w));
     DEM_TRY(put_images(d, w));
+    DEM_TRY(put_conditions(d, w, state->interaction_table.listed));
     DEM_TRY(dem_device_has_facets(w) ? dem_opencl_kernel(d->cl, "wall_contacts", &d->of_facets)
                                      : DEM_OK);
     if (w->triangles == 0)

@@ -160,6 +160,7 @@ static struct dem_device_lists constants_of(const struct dem_device *d,
     l.old_stride = old->rows;
     l.old_walls = old->walls;
     l.keep_all = state->interaction_table.past_touching;
+    l.keep_frozen = state->interaction_table.contact_scalars;
     return l;
 }
 

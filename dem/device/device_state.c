@@ -81,6 +81,8 @@ int dem_device_reserve_rows(struct dem_device *d, const struct dem_state *state,
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_history, history));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->force, 2*n*number));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->moment, t->moments ? n*number : 0));
+    DEM_TRY(dem_opencl_reserve(
+        d->cl, &d->rates, t->contact_scalars ? 2*n*(size_t)t->listed*sizeof(double) : 0));
     return dem_opencl_reserve(d->cl, &d->energy, t->past_touching ? n*number : 0);
 }
 

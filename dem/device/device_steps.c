@@ -43,11 +43,13 @@ static int give_arguments(struct dem_device *d)
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
                                 &d->facets, &list->touch, &list->history, &d->force, &d->moment,
-                                &d->energy, &d->frames, &d->columns, &d->drives, &d->contacts));
+                                &d->energy, &d->frames, &d->columns, &d->drives, &d->contacts,
+                                &d->conditions, &d->rates));
     }
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->touch, &d->force, &d->moment,
-                           &d->energy, &list->start, &list->entry, &d->lost, &d->axes, &d->columns);
+                           &d->energy, &list->start, &list->entry, &d->lost, &d->axes, &d->columns,
+                           &d->rates);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)

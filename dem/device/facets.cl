@@ -258,7 +258,7 @@ static size_t dem_touch_rows(constant struct dem_device_batch *b,
         dem_touch_row(v, facet, of, 0, x, radius, &t);
         dem_store_contact(contact + 2*(size_t)(row - b->walls), &t);
         *touching += t.distance < radius;
-        if (t.distance < radius*(1.0 + 1e-6) && v->facets[facet].largest & 1)
+        if (t.distance < radius*(1.0 + 1e-6) && v->facets[facet].largest & DEM_DEVICE_ABSORBS)
         {
             dem_report_event(report, DEM_DEVICE_ABSORBED, s);
         }
@@ -507,7 +507,8 @@ kernel void lists_triangles(constant struct dem_device_lists *l, uint counting,
 {
     const uint i = get_global_id(0);
 
-    if (i >= l->particles || (as_ulong(record[4*(size_t)i + 3].z) >> 16 & 1))
+    if (i >= l->particles ||
+        (!l->keep_frozen && (as_ulong(record[4*(size_t)i + 3].z) >> 16 & 1)))
     {
         return;
     }

@@ -175,7 +175,7 @@ static uint dem_try_partner(constant struct dem_device_lists *l,
     const ulong bits_i = dem_bits(record, i), bits_j = dem_bits(record, j);
 
     if (i == j || !(dx*dx + dy*dy + dz*dz < reach*reach) ||
-        (dem_frozen(bits_i) && dem_frozen(bits_j)))
+        (dem_frozen(bits_i) && dem_frozen(bits_j) && !l->keep_frozen))
     {
         return 0;
     }
@@ -248,7 +248,8 @@ static void dem_add_facet(constant struct dem_device_lists *l, global const int 
     }
 }
 
-/* The facets near a particle: l->facets without triangles come first; frozen particles have none.
+/* The facets near a particle: l->facets without triangles come first; frozen particles have none
+   but for scalars.
    Returns their number. */
 static uint dem_find_facets(constant struct dem_device_lists *l,
                             global const double4 *restrict record,
@@ -265,7 +266,7 @@ static uint dem_find_facets(constant struct dem_device_lists *l,
     const ulong bits = dem_bits(record, i);
     uint n = 0;
 
-    for (uint f = 0; f < l->facets && !dem_frozen(bits); f++)
+    for (uint f = 0; f < l->facets && (l->keep_frozen || !dem_frozen(bits)); f++)
     {
         double point[3], normal[3];
 

@@ -49,7 +49,7 @@ kernel void wall_loads(constant struct dem_device_batch *b, global struct dem_de
     {
         const uint row = entry[e - 1] >> 1;
         global const struct dem_facet *const facet = facets + partners[row].y;
-        global long *const to = sums + (size_t)(facet->largest/2)*6*DEM_DEVICE_SUM;
+        global long *const to = sums + (size_t)(facet->largest >> 2)*6*DEM_DEVICE_SUM;
 
         if (!touch[row])
         {

@@ -30,6 +30,7 @@ struct composer
     int n;
     const struct dem_walls *walls;
     int viscosity;                /* 1: particles have the viscosity of the fluid around them */
+    int scalars;                  /* particle scalars in lists of laws */
 };
 
 /* ---- texts ------------------------------------------------------------------------------------- */
@@ -157,9 +158,7 @@ static const struct dem_device_text *law_text(const struct dem_effect *e)
 
 const char *dem_device_effect_refusal(const struct dem_effect *e)
 {
-    return !law_text(e) || e->eddies ? "has no text for devices"
-           : e->scalars              ? "exchanges a particle scalar"
-                                     : NULL;
+    return !law_text(e) || e->eddies ? "has no text for devices" : NULL;
 }
 
 /* The settings of an effect: settings_<class>_<k>, a constant of the program. */
@@ -200,11 +199,61 @@ static void add_settings(struct composer *c, const char *class, int k,
                  k, law_name(e->effect), e->effect->size);
 }
 
-/* The call of a function of a law on the row. */
+/* The scalars of a law, of a contact or of a particle, into the row; what it adds to the first one,
+   back. */
+static void add_scalars_before(struct composer *c, const struct dem_effect_entry *e, int contact)
+{
+    for (int m = 0; m < e->scalars; m++)
+    {
+        const int k = e->scalar[m];
+
+        if (contact)
+        {
+            dem_text_add(c->out,
+                         "    r->scalars[%d].i = q->value[0][%d];\n"
+                         "    r->scalars[%d].j = q->value[1][%d];\n"
+                         "    r->scalars[%d].rate_i = q->rate[0][%d];\n"
+                         "    r->scalars[%d].rate_j = q->rate[1][%d];\n"
+                         "    r->scalars[%d].radius_i = q->radius[0];\n"
+                         "    r->scalars[%d].radius_j = q->radius[1];\n",
+                         m, k, m, k, m, k, m, k, m, m);
+            continue;
+        }
+        dem_text_add(c->out,
+                     "    r->scalars[%d].value = q->value[%d];\n"
+                     "    r->scalars[%d].rate = q->rate[%d];\n"
+                     "    r->scalars[%d].coefficient = q->coefficient[%d];\n"
+                     "    r->scalars[%d].to_target = q->to_target[%d];\n",
+                     m, k, m, k, m, k, m, k);
+    }
+}
+
+static void add_scalars_after(struct composer *c, const struct dem_effect_entry *e, int contact)
+{
+    const int k = e->scalar[0];
+
+    if (e->scalars > 0 && contact)
+    {
+        dem_text_add(c->out,
+                     "    q->rate[0][%d] = r->scalars[0].rate_i;\n"
+                     "    q->rate[1][%d] = r->scalars[0].rate_j;\n", k, k);
+    }
+    else if (e->scalars > 0)
+    {
+        dem_text_add(c->out,
+                     "    q->rate[%d] = r->scalars[0].rate;\n"
+                     "    q->coefficient[%d] = r->scalars[0].coefficient;\n"
+                     "    q->to_target[%d] = r->scalars[0].to_target;\n", k, k, k);
+    }
+}
+
+/* The call of a function of a law on the row; history: of a contact, else "". */
 static void add_call(struct composer *c, const char *class, int k, const struct dem_effect_entry *e,
                      const char *function, const char *history)
 {
     const char *const law = law_name(e->effect);
+
+    add_scalars_before(c, e, *history);
 
     if (e->effect->size > 0)
     {
@@ -219,6 +268,7 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
     {
         dem_text_add(c->out, "    dem_%s_%s(0, r%s);\n", law, function, history);
     }
+    add_scalars_after(c, e, *history);
 }
 
 /* ---- contacts: as step/contact_effects.c applies the effects ----------------------------------- */
@@ -276,7 +326,8 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
     {
         add_settings(c, class, k, &list->entry[k]);
     }
-    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h)\n{\n", class);
+    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h%s)\n{\n", class,
+                 c->scalars ? ", struct dem_row_scalars *q" : "");
     for (int k = 0; k < list->entries; k++)
     {
         if (list->entry[k].effect->replace_contact)
@@ -323,10 +374,10 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
     DEM_TRY(include_name(c, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
                  "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
-                 "#define VISCOSITY %d\n", class,
+                 "#define VISCOSITY %d\n#define CLASS_SCALARS %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
                  (list->needs & DEM_NEEDS_RANDOM) != 0, !c->walls->all_flat_static,
-                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY);
+                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY, list->scalars > 0);
     return include_name(c, "device/rows.cl");
 }
 
@@ -354,13 +405,15 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     {
         add_settings(c, "body", k, &list->entry[k]);
     }
-    dem_text_add(c->out, "static void body_laws(struct dem_body_row *r)\n{\n");
+    dem_text_add(c->out, "static void body_laws(struct dem_body_row *r%s)\n{\n",
+                 c->scalars ? ", struct dem_particle_scalars *q" : "");
     for (int k = 0; k < list->entries; k++)
     {
         add_call(c, "body", k, &list->entry[k], "row", "");
     }
-    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define MOMENTS %d\n"
-                 "#define PAST_TOUCHING %d\n", table->moments, table->past_touching);
+    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS %s\n#define MOMENTS %d\n"
+                 "#define PAST_TOUCHING %d\n", c->scalars ? "&r, &q" : "&r", table->moments,
+                 table->past_touching);
     DEM_TRY(include_name(c, "device/loads.cl"));
     return include_name(c, "device/bodies.cl");
 }
@@ -387,6 +440,47 @@ static int add_facets(struct composer *c, const struct dem_interaction_table *ta
     return dem_device_has_facets(c->walls) ? include_name(c, "device/facets.cl") : DEM_OK;
 }
 
+/* Where the scalars of lists and their exchange are among the columns, and how they change. */
+static int add_scalars(struct composer *c, const struct dem_interaction_table *r)
+{
+    int exchange = r->scalars;
+
+    dem_text_add(c->out, "#define SCALARS %d\n#define RATES %d\n", r->listed, r->contact_scalars);
+    if (r->listed == 0)
+    {
+        return DEM_OK;
+    }
+    dem_text_add(c->out, "constant int dem_scalar_column[] = {");
+    for (int k = 0; k < r->listed; k++)
+    {
+        dem_text_add(c->out, "COLUMN_FURTHER_%d, ", k);
+    }
+    dem_text_add(c->out, "};\nconstant int dem_scalar_exchange[] = {");
+    for (int k = 0; k < r->listed; k++)
+    {
+        dem_text_add(c->out, r->exchanged[k] ? "COLUMN_FURTHER_%d, " : "-1, ", exchange);
+        exchange += r->exchanged[k] ? DEM_SCALAR_COLUMNS : 0;
+    }
+    dem_text_add(c->out, "};\nconstant int dem_scalar_rated[] = {");
+    for (int k = 0; k < r->listed; k++)
+    {
+        dem_text_add(c->out, "%d, ", (r->scalar[k]->flags & DEM_SCALAR_RATE) != 0);
+    }
+    dem_text_add(c->out, "};\nconstant double dem_scalar_limits[] = {");
+    for (int k = 0; k < r->listed; k++)
+    {
+        dem_text_add(c->out, "%a, %a, ", fmax(r->scalar[k]->min, -DBL_MAX),
+                     fmin(r->scalar[k]->max, DBL_MAX));
+    }
+    dem_text_add(c->out, "};\nconstant double dem_scalar_capacity[] = {");
+    for (int k = 0; k < r->listed*DEM_MATERIALS; k++)
+    {
+        dem_text_add(c->out, "%a, ", r->capacity[k/DEM_MATERIALS][k%DEM_MATERIALS]);
+    }
+    dem_text_add(c->out, "};\n");
+    return include_name(c, "device/scalars.cl");
+}
+
 static int compose(struct composer *c, const struct dem_interaction_table *table,
                    const struct dem_particles *particles)
 {
@@ -395,6 +489,8 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     c->viscosity = particles->batch.n > 0;
     DEM_TRY(include_name(c, "device/gather.cl"));
     DEM_TRY(add_facets(c, table));
+    c->scalars = table->listed;
+    DEM_TRY(add_scalars(c, table));
     for (int k = 0; k < table->classes; k++)
     {
         DEM_TRY(include_laws(c, &table->list[k]));

@@ -65,7 +65,6 @@ static const char *run_reason(const struct dem_state *state)
 
     return dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1 ? "the fluid around particles has eddies"
            : state->interaction_table.parcels.used ? "particles are parcels"
-           : state->interaction_table.listed > 0   ? "particles have scalars"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : state->applied_forces.n > 0           ? "there are forces on chosen particles (forces)"
                                                    : NULL;
