@@ -194,7 +194,8 @@ double dem_device_memory(const struct dem_state *state)
     const size_t particle = 2*sizeof(struct dem_particle) + (7 + (size_t)t->classes)*sizeof(uint32_t) +
                             (4 + 2 + 2*columns)*sizeof(double);
     const size_t row = 3 + 11*sizeof(uint32_t) +
-                       (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history)*sizeof(double);
+                       (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history +
+                        2*(size_t)(t->contact_scalars ? t->listed : 0))*sizeof(double);
 
     return n*(double)particle + rows*(double)row;
 }

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "device/device_columns.h"
+#include "device/program_scalars.h"
 #include "device/texts.h"
 #include "laws/effects.h"
 #include "walls/spring_kinds.h"
@@ -199,61 +200,13 @@ static void add_settings(struct composer *c, const char *class, int k,
                  k, law_name(e->effect), e->effect->size);
 }
 
-/* The scalars of a law, of a contact or of a particle, into the row; what it adds to the first one,
-   back. */
-static void add_scalars_before(struct composer *c, const struct dem_effect_entry *e, int contact)
-{
-    for (int m = 0; m < e->scalars; m++)
-    {
-        const int k = e->scalar[m];
-
-        if (contact)
-        {
-            dem_text_add(c->out,
-                         "    r->scalars[%d].i = q->value[0][%d];\n"
-                         "    r->scalars[%d].j = q->value[1][%d];\n"
-                         "    r->scalars[%d].rate_i = q->rate[0][%d];\n"
-                         "    r->scalars[%d].rate_j = q->rate[1][%d];\n"
-                         "    r->scalars[%d].radius_i = q->radius[0];\n"
-                         "    r->scalars[%d].radius_j = q->radius[1];\n",
-                         m, k, m, k, m, k, m, k, m, m);
-            continue;
-        }
-        dem_text_add(c->out,
-                     "    r->scalars[%d].value = q->value[%d];\n"
-                     "    r->scalars[%d].rate = q->rate[%d];\n"
-                     "    r->scalars[%d].coefficient = q->coefficient[%d];\n"
-                     "    r->scalars[%d].to_target = q->to_target[%d];\n",
-                     m, k, m, k, m, k, m, k);
-    }
-}
-
-static void add_scalars_after(struct composer *c, const struct dem_effect_entry *e, int contact)
-{
-    const int k = e->scalar[0];
-
-    if (e->scalars > 0 && contact)
-    {
-        dem_text_add(c->out,
-                     "    q->rate[0][%d] = r->scalars[0].rate_i;\n"
-                     "    q->rate[1][%d] = r->scalars[0].rate_j;\n", k, k);
-    }
-    else if (e->scalars > 0)
-    {
-        dem_text_add(c->out,
-                     "    q->rate[%d] = r->scalars[0].rate;\n"
-                     "    q->coefficient[%d] = r->scalars[0].coefficient;\n"
-                     "    q->to_target[%d] = r->scalars[0].to_target;\n", k, k, k);
-    }
-}
-
 /* The call of a function of a law on the row; history: of a contact, else "". */
 static void add_call(struct composer *c, const char *class, int k, const struct dem_effect_entry *e,
                      const char *function, const char *history)
 {
     const char *const law = law_name(e->effect);
 
-    add_scalars_before(c, e, *history);
+    dem_device_scalars_before(c->out, e, *history);
 
     if (e->effect->size > 0)
     {
@@ -268,7 +221,7 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
     {
         dem_text_add(c->out, "    dem_%s_%s(0, r%s);\n", law, function, history);
     }
-    add_scalars_after(c, e, *history);
+    dem_device_scalars_after(c->out, e, *history);
 }
 
 /* ---- contacts: as step/contact_effects.c applies the effects ----------------------------------- */
@@ -437,48 +390,8 @@ static int add_facets(struct composer *c, const struct dem_interaction_table *ta
         dem_text_add(c->out, m > 0 ? ", %d" : " + %d", (int)kind[m]);
     }
     dem_text_add(c->out, "\n");
-    return dem_device_has_facets(c->walls) ? include_name(c, "device/facets.cl") : DEM_OK;
-}
-
-/* Where the scalars of lists and their exchange are among the columns, and how they change. */
-static int add_scalars(struct composer *c, const struct dem_interaction_table *r)
-{
-    int exchange = r->scalars;
-
-    dem_text_add(c->out, "#define SCALARS %d\n#define RATES %d\n", r->listed, r->contact_scalars);
-    if (r->listed == 0)
-    {
-        return DEM_OK;
-    }
-    dem_text_add(c->out, "constant int dem_scalar_column[] = {");
-    for (int k = 0; k < r->listed; k++)
-    {
-        dem_text_add(c->out, "COLUMN_FURTHER_%d, ", k);
-    }
-    dem_text_add(c->out, "};\nconstant int dem_scalar_exchange[] = {");
-    for (int k = 0; k < r->listed; k++)
-    {
-        dem_text_add(c->out, r->exchanged[k] ? "COLUMN_FURTHER_%d, " : "-1, ", exchange);
-        exchange += r->exchanged[k] ? DEM_SCALAR_COLUMNS : 0;
-    }
-    dem_text_add(c->out, "};\nconstant int dem_scalar_rated[] = {");
-    for (int k = 0; k < r->listed; k++)
-    {
-        dem_text_add(c->out, "%d, ", (r->scalar[k]->flags & DEM_SCALAR_RATE) != 0);
-    }
-    dem_text_add(c->out, "};\nconstant double dem_scalar_limits[] = {");
-    for (int k = 0; k < r->listed; k++)
-    {
-        dem_text_add(c->out, "%a, %a, ", fmax(r->scalar[k]->min, -DBL_MAX),
-                     fmin(r->scalar[k]->max, DBL_MAX));
-    }
-    dem_text_add(c->out, "};\nconstant double dem_scalar_capacity[] = {");
-    for (int k = 0; k < r->listed*DEM_MATERIALS; k++)
-    {
-        dem_text_add(c->out, "%a, ", r->capacity[k/DEM_MATERIALS][k%DEM_MATERIALS]);
-    }
-    dem_text_add(c->out, "};\n");
-    return include_name(c, "device/scalars.cl");
+    DEM_TRY(dem_device_has_facets(c->walls) ? include_name(c, "device/facets.cl") : DEM_OK);
+    return c->walls->triangles > 0 ? include_name(c, "device/triangles.cl") : DEM_OK;
 }
 
 static int compose(struct composer *c, const struct dem_interaction_table *table,
@@ -490,7 +403,8 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(include_name(c, "device/gather.cl"));
     DEM_TRY(add_facets(c, table));
     c->scalars = table->listed;
-    DEM_TRY(add_scalars(c, table));
+    dem_device_scalars_text(c->out, table);
+    DEM_TRY(table->listed > 0 ? include_name(c, "device/scalars.cl") : DEM_OK);
     for (int k = 0; k < table->classes; k++)
     {
         DEM_TRY(include_laws(c, &table->list[k]));
