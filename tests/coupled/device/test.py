@@ -28,8 +28,8 @@ def box(folder, device):
                     "saffmanMei {}",
                     "bed { type lattice; diameter 8e-4; count 300; spacing 1.2; jitter 0.9; seed 3; "
                     "velocity (0.05 0 -0.1); min (0.0002 0.0002 0.0002); max (0.0078 0.0078 0.0078); }",
-                    "rho 1000; kernel diffusion; width 3; ownWake yes;",
-                    f"walls {{ patches {{ patches (walls); material glass; }} }}\n{device}")
+                    "rho 1000; kernel diffusion; width 3; ownWake yes; record { interval 0.002; }",
+                    f"walls {{ walls {{ material glass; }} }}\n{device}")
     case.run("demPimpleFoam")
     claim_ran(f"{folder}: runs", case)
     return case
