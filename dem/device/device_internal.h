@@ -92,7 +92,8 @@ int dem_device_make_lists(struct dem_device *, const struct dem_state *, double 
 int dem_device_displacement(struct dem_device *, const struct dem_state *, double *moved);
 int dem_device_refer(struct dem_device *, const struct dem_state *);
 
-/* Zeros, n and one more; exclusive sums of n numbers in place, their sum after the last. */
+/* device_scan.c: zeros, n and one more; exclusive sums of n numbers in place, their sum after the
+   last. */
 int dem_device_clear(struct dem_device *, struct dem_opencl_memory *, size_t n);
 int dem_device_scan(struct dem_device *, struct dem_opencl_memory *, size_t n);
 

@@ -40,6 +40,7 @@ if name is None:
 else:
     cpu, device = box("cpu", ""), box("device", f'device "{name}";')
     claim("the log names the device", device.found(rf"^Suna: device: {re.escape(name)}"))
+    claim("and the device makes steps", device.found(r"^    device +[1-9][0-9.]* %"))
     last = cpu.times()[-1]
     claim("same particles", snapshot_hash(cpu/last/"uniform/dem.snapshot")
           == snapshot_hash(device/last/"uniform/dem.snapshot"))
