@@ -69,6 +69,7 @@ static const char *run_reason(const struct dem_state *state)
            : state->interaction_table.listed > 0   ? "particles have scalars"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_ORIENTATION) ? "orientations are asked for (write/orientation)"
+           : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
            : state->applied_forces.n > 0           ? "there are forces on chosen particles (forces)"
            : state->wall_statistics->sum           ? "loads on walls are asked for (write/walls)"
                                                    : NULL;

@@ -19,10 +19,8 @@ enum
 {
     /* index in the record of a particle */
     FIRST_INTEGER = offsetof(struct dem_particle, id)/sizeof(double),
-    AFTER_INTEGERS = offsetof(struct dem_particle, unused)/sizeof(double)
+    AFTER_INTEGERS = sizeof(struct dem_particle)/sizeof(double)
 };
-_Static_assert(sizeof(struct dem_particle) == (AFTER_INTEGERS + 1)*sizeof(double),
-               "one double follows the integers of a record");
 
 /* of steps, particles: integers that are exact in a double */
 static const double max_count = 0x1p53;
@@ -73,7 +71,6 @@ static int report_not_finite(const char *path, const struct dem_snapshot_header 
     DEM_TRY(check_finite(path, "the inverse of the mass", "1/kg", p, &p->inverse_mass, 1));
     DEM_TRY(check_finite(path, "the inverse of the moment of inertia", "1/(kg m2)", p,
                          &p->inverse_inertia, 1));
-    DEM_TRY(check_finite(path, "the unused number", "", p, &p->unused, 1));
     for (int64_t c = 0; c < h->columns; c++)
     {
         DEM_TRY(check_finite(path, h->list[h->materials + c].name, "", p, at,
@@ -128,6 +125,12 @@ static int check_inertia(const char *path, const struct dem_particle *p)
         p->mass > 0.0, DEM_ERROR_FILE,
         "%s is damaged: particle %lld has a mass of %g kg, which must be above 0; use another one",
         path, (long long)p->id, p->mass);
+    DEM_REQUIRE(p->body == 0 || (p->body > 0 && p->id >= p->body - 1 &&
+                                 p->id - p->body < DEM_CLUMP_SPHERES - 1),
+                DEM_ERROR_FILE,
+                "%s is damaged: particle %lld belongs to a clump that begins with id %lld, and a clump has "
+                "%d spheres at most; use another one", path, (long long)p->id, (long long)p->body - 1,
+                (int)DEM_CLUMP_SPHERES);
     DEM_REQUIRE((p->flags & ~known) == 0 && (frozen || !(p->flags & DEM_PARTICLE_DRIVEN)),
                 DEM_ERROR_FILE,
                 "%s is damaged: particle %lld has flags %#x, and the only valid ones are %#x, "
@@ -136,7 +139,7 @@ static int check_inertia(const char *path, const struct dem_particle *p)
     DEM_REQUIRE(
         frozen ? immobile
                : p->inverse_mass > 0.0 && p->inverse_mass*p->mass < 1.0 + 1e-9 &&
-                     fabs(inertia_ratio - 1.0) < 1e-9,
+                     (p->body ? p->inverse_inertia > 0.0 : fabs(inertia_ratio - 1.0) < 1e-9),
         DEM_ERROR_FILE,
         "%s is damaged: particle %lld, which is %s, of %g kg and radius %g m, has inverses %g 1/kg of its mass and %g 1/(kg m2) of its moment of "
         "inertia; use another one",
