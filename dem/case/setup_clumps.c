@@ -85,6 +85,21 @@ int dem_api_check_clumps(const struct dem_case *c)
     return s->n > 0 ? refuse_entries(c) : DEM_OK;
 }
 
+/* A snapshot may be damaged. */
+static int check_body(const struct dem_particles *p, size_t i)
+{
+    const struct dem_clump *const b = dem_clump_of(p, i);
+
+    DEM_REQUIRE(!b || (b->mass > 0.0 && b->inertia[0] > 0.0 && b->inertia[1] > 0.0 &&
+                       b->inertia[2] > 0.0 &&
+                       fabs(b->q[0]*b->q[0] + b->q[1]*b->q[1] + b->q[2]*b->q[2] + b->q[3]*b->q[3] -
+                            1.0) < 1e-9),
+                DEM_ERROR_FILE,
+                "particle %lld belongs to a clump without mass or orientation: the snapshot is damaged; "
+                "use another one", (long long)p->record[i].id);
+    return DEM_OK;
+}
+
 /* Bodies of a snapshot come with their state, and need the column of it. */
 int dem_api_begin_clumps(struct dem *d)
 {
@@ -92,6 +107,10 @@ int dem_api_begin_clumps(struct dem *d)
     const int column = dem_column(&p->particles, DEM_COLUMN_CLUMP) != NULL;
     double reach = column ? dem_clumps_reach(&p->particles) : 0.0;
 
+    for (size_t i = 0; i < p->particles.n && column; i++)
+    {
+        DEM_TRY(check_body(&p->particles, i));
+    }
     for (size_t i = 0; i < p->particles.n && !column; i++)
     {
         DEM_REQUIRE(p->particles.record[i].body == 0, DEM_ERROR_INPUT,

@@ -253,7 +253,10 @@ static void remove_added_mass(struct dem_particles *p)
 {
     for (size_t i = 0; i < p->n; i++)
     {
-        p->record[i].inverse_mass = p->record[i].inverse_mass > 0.0 ? 1.0/p->record[i].mass : 0.0;
+        struct dem_particle *const r = &p->record[i];
+        const struct dem_clump *const b = dem_clump_of(p, i);
+
+        r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(b ? b->mass : r->mass) : 0.0;
     }
 }
 
