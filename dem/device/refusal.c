@@ -40,6 +40,7 @@ static const char *wall_reason(const struct dem_wall *w)
 {
     return w->shape == DEM_SHAPE_TRIANGLES ? "is made of triangles"
            : w->absorbs                    ? "absorbs particles"
+           : w->wear > 0.0                 ? "wears"
                                            : NULL;
 }
 

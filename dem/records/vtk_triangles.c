@@ -20,7 +20,7 @@ static void declare_array(FILE *f, const char *name, const char *type, int compo
     *offset += sizeof(uint64_t) + bytes;
 }
 
-static void write_header(FILE *f, int64_t n)
+static void write_header(FILE *f, int64_t n, int wear)
 {
     const uint64_t bytes = (uint64_t)n*sizeof(int64_t);
     const uint16_t word = 1;
@@ -38,6 +38,10 @@ static void write_header(FILE *f, int64_t n)
     declare_array(f, "points", "Float64", 3, 9*bytes, &offset);
     fputs("      </Points>\n      <CellData>\n", f);
     declare_array(f, "wall", "Int64", 1, bytes, &offset);
+    if (wear)
+    {
+        declare_array(f, "wear", "Float64", 1, bytes, &offset);
+    }
     fputs("      </CellData>\n      <Polys>\n", f);
     declare_array(f, "connectivity", "Int64", 1, 3*bytes, &offset);
     declare_array(f, "offsets", "Int64", 1, bytes, &offset);
@@ -64,14 +68,19 @@ static void write_counts(FILE *f, int64_t n, int64_t first, int64_t step)
     }
 }
 
-int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall)
+int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall,
+                            const double *wear)
 {
     struct dem_file f;
 
     DEM_TRY(dem_file_begin(&f, path));
-    write_header(f.stream, n);
+    write_header(f.stream, n, wear != NULL);
     write_array(f.stream, corners, 9*(uint64_t)n*sizeof *corners);
     write_array(f.stream, wall, (uint64_t)n*sizeof *wall);
+    if (wear)
+    {
+        write_array(f.stream, wear, (uint64_t)n*sizeof *wear);
+    }
     write_counts(f.stream, 3*n, 0, 1);
     write_counts(f.stream, n, 3, 3);
     fputs("\n  </AppendedData>\n</VTKFile>\n", f.stream);
