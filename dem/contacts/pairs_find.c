@@ -297,18 +297,11 @@ static struct dem_facet_key facet_key(const struct dem_walls *w,
                                       const struct dem_particle *me)
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    const int frame = w->wall[r->wall].frame;
     struct dem_facet_key key = {.number = r->number};
+    int turns[3];
 
-    for (int k = 0; k < 3; k++)
-    {
-        const int turns = frame < 0 ? 0 : (int)fmod(w->frame[frame].turns[k], DEM_IMAGE_MASK + 1);
-
-        key.image = r->distinct >> k & 1
-                        ? dem_image_add(key.image, k, turns - near->image[k] -
-                                                          (int)dem_image_part(me->image, k))
-                        : key.image;
-    }
+    dem_walls_turns(w, r->wall, turns);
+    key.image = dem_facet_image(r->distinct, turns, near->image, me->image);
     return key;
 }
 
