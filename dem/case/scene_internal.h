@@ -19,4 +19,8 @@ int dem_scene_read_walls(const struct dem_dict *, const struct dem_interaction_t
 /* motion, surfaceVelocity and surfaceRotation of one wall. */
 int dem_scene_read_motion(struct dem_walls *, int wall, const struct dem_dict *);
 
+/* The settings of rest, with their defaults where there is no dictionary (NULL). */
+struct dem_quiet;
+int dem_scene_read_quiet(const struct dem_dict *, struct dem_quiet *);
+
 #endif

@@ -53,19 +53,19 @@ static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
 {
     static const char *const known[] = {"translation", "rotation", "oscillation"};
     const char *type;
+    int from, to;
 
     DEM_TRY(dem_dict_word(dict, "type", &type));
-    DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, &m->start));
-    m->end = INFINITY;
-    if (dem_dict_has(dict, "end"))
-    {
-        DEM_TRY(dem_dict_number(dict, "end", "s", &m->end));
-    }
-    DEM_REQUIRE(fabs(m->start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
+    DEM_TRY(dem_dict_time_or(dict, "start", 0.0, &m->start, &from));
+    DEM_TRY(dem_dict_time_or(dict, "end", INFINITY, &m->end, &to));
+    DEM_REQUIRE(from || fabs(m->start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), m->start,
                 DEM_MOTION_LIMIT);
-    DEM_REQUIRE(m->end > m->start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
-                dem_dict_where(dict), m->end, m->start);
+    DEM_REQUIRE(to ? from < to : from || m->end > m->start, DEM_ERROR_INPUT,
+                "%s: the motion does not end after it has started; give a later end",
+                dem_dict_where(dict));
+    m->stage[0] = (int16_t)from;
+    m->stage[1] = (int16_t)to;
     if (strcmp(type, known[0]) == 0)
     {
         m->kind = DEM_MOTION_TRANSLATION;

@@ -355,6 +355,7 @@ int dem_api_create_particles(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, complete_scalars(c)));
         return dem_api_compare_scene(c);
     }
+    DEM_TRY(dem_stages_start(d, 0));
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
                              &p->walls, &p->decomposition));
     DEM_TRY(dem_api_join_initial(c));

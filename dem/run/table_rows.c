@@ -77,6 +77,7 @@ int dem_flow_sums_set(struct dem_flow_sums *s, struct dem *d, double now)
 int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now,
                         struct dem_flow_sums *last)
 {
+    static const char *const way[] = {"out", "in", "forth", "back"};
     const double over = now > last->time ? 1.0/(now - last->time) : 0.0;
     const struct dem_flow *flow;
     struct dem_text t = {0};
@@ -88,7 +89,7 @@ int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now
         const struct dem_flow *const w = &flow[k];
 
         dem_text_add(&t, "%.10g,%s,%s,%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%lld,%.9g,%.9g\n", now, w->name,
-                     w->enters ? "in" : "out", (long long)w->particles, w->mass, w->momentum[0],
+                     way[w->enters], (long long)w->particles, w->mass, w->momentum[0],
                      w->momentum[1], w->momentum[2], w->energy, (long long)w->waiting,
                      over*((double)w->particles - last->particles[k]),
                      over*(w->mass - last->mass[k]));
@@ -102,6 +103,35 @@ int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now
     return append(table, d,
                   "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],waiting,"
                   "rate[1/s],massRate[kg/s]",
+                  &t);
+}
+
+/* ---- cell ------------------------------------------------------------------------------------ */
+
+int dem_table_add_cell(const struct dem_table *table, struct dem *d, double now)
+{
+    struct dem_text t = {0};
+    struct dem_cell_now c;
+
+    DEM_TRY(dem_cell(d, &c));
+    if (!table)
+    {
+        return DEM_OK;
+    }
+    dem_text_add(&t, "%.10g,%.12g,%.12g,%.12g,%.9g,%.9g,%.9g", now, c.length[0], c.length[1], c.length[2],
+                 c.rate[0], c.rate[1], c.rate[2]);
+    for (int k = 0; k < 6; k++)
+    {
+        dem_text_add(&t, ",%.9g", c.stress[k]);
+    }
+    for (int k = 0; k < 6; k++)
+    {
+        dem_text_add(&t, ",%.9g", c.fabric[k]);
+    }
+    dem_text_add(&t, ",%.9g,%.0f\n", c.solid, c.contacts);
+    return append(table, d,
+                  "time[s],Lx[m],Ly[m],Lz[m],Dxx[1/s],Dyy[1/s],Dzz[1/s],sxx[Pa],syy[Pa],szz[Pa],sxy[Pa],"
+                  "syz[Pa],szx[Pa],Fxx,Fyy,Fzz,Fxy,Fyz,Fzx,solidFraction,contacts",
                   &t);
 }
 

@@ -122,6 +122,7 @@ int dem_flows_between_windows(struct dem_state *p, size_t n, struct dem_outgoing
     {
         return DEM_OK;
     }
+    DEM_TRY(dem_flows_count_passages(p, 0.0));
     dem_sort_by(outgoing, n, sizeof *outgoing, by_id);
     int status = DEM_NEW(order, p->particles.n + 1);
 

@@ -25,6 +25,7 @@
 #define DEM_WALLS_WALL_MOTION_H
 
 #include "walls/pose.h"
+#include <stdint.h>
 
 enum dem_motion_kind
 {
@@ -40,7 +41,9 @@ enum dem_motion_kind
 struct dem_motion
 {
     enum dem_motion_kind kind;
-    double start, end;                      /* s */
+    int16_t stage[2];                       /* of the scene whose beginning start and end are, from 1;
+                                               0: none */
+    double start, end;                      /* s; infinite before that stage begins */
     double velocity[3];                     /* m/s  translation */
     double amplitude[3], frequency, phase;  /* m, 1/s, rad: oscillation */
     double origin[3], axis[3], omega;       /* m, unit, rad/s: rotation */
@@ -49,6 +52,9 @@ struct dem_motion
 /* of a frame that is where its wall was given */
 static const struct dem_pose dem_pose_identity = {
     .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+/* From start to end [s]; infinite where a stage decides. */
+double dem_motion_duration(const struct dem_motion *);
 
 /* Pose of the reference frame at a time [s]. */
 void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);

@@ -58,6 +58,8 @@ static const struct row
     {"walls/floor/material", "steel", WORD, 1},
     {"walls/floor/point", "(0 0 0)", VECTOR, 1},
     {"walls/floor/normal", "(0 0 1)", VECTOR, 1},
+    {"walls/floor/until", "9", NUMBER, 0},
+    {"walls/floor/from", "0", NUMBER, 0},
     {"walls/cup/type", "box", WORD, 1},
     {"walls/cup/material", "steel", WORD, 1},
     {"walls/cup/min", "(-0.5 -0.5 -0.5)", VECTOR, 1},
