@@ -37,6 +37,7 @@ static int begin_all(const struct dem_run_tables *t, const struct dem *d)
     DEM_TRY(dem_table_begin(&effects, d, 0));
     DEM_TRY(dem_table_begin(&t->lost, d, 1));
     DEM_TRY(dem_table_begin(&t->flows, d, 0));
+    DEM_TRY(dem_table_begin(&t->residence, d, 0));
     if (dem_has_bonds(d))
     {
         DEM_TRY(dem_table_begin(&t->bonds, d, 0));
@@ -52,6 +53,7 @@ int dem_run_tables_begin(struct dem_run_tables *t, const struct dem_program *pro
     dem_table_name(&t->lost, o->folder, "lost.csv", o->start);
     dem_table_name(&t->bonds, o->folder, "bonds.csv", o->start);
     dem_table_name(&t->flows, o->folder, "flows.csv", o->start);
+    dem_table_name(&t->residence, o->folder, "residence.csv", o->start);
     dem_table_name(&t->cell, o->folder, "cell.csv", o->start);
     dem_table_name(&t->walls, o->folder, "walls.csv", o->start);
     DEM_TRY(dem_flow_sums_set(&t->sums, d, o->start));
@@ -160,6 +162,8 @@ int dem_run_tables_flows(struct dem_run_tables *t, const struct dem_program *pro
     {
         print_sums(n, flow);
     }
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_table_add_residence(&t->residence, d, now)
+                                                    : DEM_OK));
     return dem_program_agree(
         prog, dem_table_add_flows(prog->rank == 0 ? &t->flows : NULL, d, now, &t->sums));
 }

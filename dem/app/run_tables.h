@@ -13,7 +13,7 @@
 
 struct dem_run_tables
 {
-    struct dem_table lost, bonds, flows, walls, cell;
+    struct dem_table lost, bonds, flows, walls, cell, residence;
     int64_t removed;                /* particles, in this run */
     struct dem_flow_sums sums;      /* at the last rows of flows.csv */
     double cell_interval;           /* s  between rows of cell.csv, 0: none */

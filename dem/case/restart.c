@@ -12,6 +12,7 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "input/dictionary.h"
+#include "sources/residence.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -46,7 +47,8 @@ static void add_marks(const struct dem *d, struct dem_text *t)
 
     for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
     {
-        if (at[0] == '@' && !dem_stages_is_line(at) && !dem_cell_is_line(at))
+        if (at[0] == '@' && !dem_stages_is_line(at) && !dem_cell_is_line(at)
+            && !dem_residence_is_line(at))
         {
             dem_text_add(t, "%.*s\n", (int)(end - at), at);
         }
@@ -74,6 +76,7 @@ static int write_text(const struct dem *d, struct dem_text *t)
     add_marks(d, t);
     dem_stages_describe(&d->scene.stages, t);
     dem_cell_describe(d, t);
+    dem_residence_describe(d->state.flows, t);
     return t->status;
 }
 

@@ -378,7 +378,6 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
     DEM_TRY(dem_dict_sub_if(scene, "planes", &planes));
     DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r, d));
-    DEM_TRY(dem_streams_read_planes(&s->streams, planes));
     for (int k = 0; k < w->walls; k++)
     {
         if (w->wall[k].absorbs)
@@ -386,6 +385,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
             DEM_TRY(dem_streams_add_wall(&s->streams, w->wall[k].absorbs, &w->wall[k].outlet));
         }
     }
+    DEM_TRY(dem_streams_read_planes(&s->streams, planes));
     DEM_REQUIRE(!r->motionless || s->streams.streams == 0, DEM_ERROR_INPUT,
                 "%s: start freezes all particles, but insert/%s lets others move; leave out one of "
                 "the two", dem_dict_where(start), s->streams.stream[0].name);

@@ -16,6 +16,7 @@
 #include "particles/scalars.h"
 #include "particles/uniform_fluid.h"
 #include "ranks/collect.h"
+#include "sources/residence.h"
 #include "records/totals.h"
 #include <float.h>
 #include <math.h>
@@ -225,7 +226,8 @@ static unsigned column_groups(const struct dem_case *c)
                     | (c->orientation ? DEM_GROUP_ORIENTATION : 0)
                     | (under_relaxes(c) ? DEM_GROUP_UNDER_RELAXATION : 0)
                     | (c->own_wake ? DEM_GROUP_OWN_WAKE : 0)
-                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
+                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0)
+                    | (dem_streams_ask_residence(&d->scene.streams) ? DEM_GROUP_BIRTH : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
     {
@@ -325,8 +327,9 @@ int dem_api_begin_flows(struct dem_case *c)
     d->state.flows->fluid = &d->scene.fluid;
     d->state.flows->asked = d->flow_on_request;
     c->snapshot_flows.flows = c->scene_start ? 0 : c->snapshot_flows.flows;
-    return dem_flows_begin(&d->state, &d->scene.streams,
-                           c->load_path[0] ? &c->snapshot_flows : NULL);
+    DEM_TRY(dem_flows_begin(&d->state, &d->scene.streams,
+                            c->load_path[0] ? &c->snapshot_flows : NULL));
+    return dem_residence_begin(&d->state, d->before.text);
 }
 
 int dem_api_create_particles(struct dem_case *c)

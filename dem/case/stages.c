@@ -5,7 +5,6 @@
  */
 #include "case/stages.h"
 #include "case/dem_case.h"
-#include "case/restart.h"
 #include "case/scene_internal.h"
 #include "core/error.h"
 #include "core/memory.h"

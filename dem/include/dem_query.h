@@ -76,6 +76,10 @@ int dem_lost(struct dem *, int64_t *n, const struct dem_loss **);
    without streams and outlets. The same on all ranks; valid until the next call. */
 int dem_flows(struct dem *, int *n, const struct dem_flow **);
 
+/* The residence times of row k of dem_flows; NULL where its outlet has no entry `residence`. Valid until
+   the next advance. */
+const struct dem_residence *dem_residence(const struct dem *, int k);
+
 /* ---- stages ---------------------------------------------------------------------------------- */
 
 /* The name of stage k of the scene, from 0; NULL behind the last. *begin: when it began [s], infinite if it

@@ -199,6 +199,19 @@ struct dem_flow
                                            last trial */
 };
 
+enum
+{
+    DEM_RESIDENCE_BINS = 64
+};
+
+/* times from entry to removal of the particles of an outlet: dem_residence */
+struct dem_residence
+{
+    double end;                     /* s  of the last bin, which has all later ones, too */
+    int64_t particles, bin[DEM_RESIDENCE_BINS];
+    double sum, squares;            /* s, s2 */
+};
+
 /* a periodic cell that deforms, as it is now: dem_cell. Pairs are xx yy zz xy yz zx */
 struct dem_cell_now
 {

@@ -30,7 +30,8 @@ static const struct dem_dict *stages_of(const struct dem_dict *d)
     return e && dem_entry_is_dict(e) ? e->dict : NULL;
 }
 
-static int find_stage(const struct dem_dict *stages, const char *name, const char *where, int *stage)
+static int find_stage(const struct dem_dict *stages, const struct dem_entry *e, const char *name,
+                      int *stage)
 {
     const char *known[MAX_SUGGESTED];
     int n = 0;
@@ -49,7 +50,8 @@ static int find_stage(const struct dem_dict *stages, const char *name, const cha
             known[n++] = other;
         }
     }
-    return dem_error_prefix(dem_did_you_mean_error("stage", name, known, n), "%s: ", where);
+    return dem_error_prefix(dem_did_you_mean_error("stage", name, known, n), "%s: %s: ",
+                            dem_entry_where(e), e->name);
 }
 
 int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback, double *value,
@@ -66,5 +68,5 @@ int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback
     }
     DEM_TRY(dem_dict_word(d, name, &word));
     *value = INFINITY;
-    return find_stage(stages, word, dem_entry_where(e), stage);
+    return find_stage(stages, e, word, stage);
 }

@@ -16,6 +16,7 @@
 #include "records/virial.h"
 #include "run/effects_table.h"
 #include "ranks/collect.h"
+#include "sources/residence.h"
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -105,6 +106,11 @@ int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_ite
     *n = d->state.energy_balance->items;
     *item = d->state.energy_balance->item;
     return dem_collect_status(&d->state.decomposition);
+}
+
+const struct dem_residence *dem_residence(const struct dem *d, int k)
+{
+    return k >= 0 && k < d->state.flows->n ? dem_residence_of(d->state.flows, k) : NULL;
 }
 
 int dem_has_cell(const struct dem *d)

@@ -98,6 +98,7 @@ static int rests(struct dem *d, struct dem_run_stage *s, int *ended)
     struct dem_totals t;
 
     DEM_TRY(dem_totals(d, &t));
+    d->state.limits.overlap = t.largest_overlap;    /* for the next call of the program */
     DEM_TRY(dem_quiet_test(d, &s->quiet, &t));
     s->quiet.since = t.particles > 0 && !inserts(d) ? s->quiet.since : INFINITY;
     *ended = s->quiet.reached && isfinite(s->quiet.since);

@@ -106,6 +106,41 @@ int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now
                   &t);
 }
 
+int dem_table_add_residence(const struct dem_table *table, struct dem *d, double now)
+{
+    const struct dem_flow *flow;
+    struct dem_text t = {0}, columns = {0};
+    int n;
+
+    DEM_TRY(dem_flows(d, &n, &flow));
+    dem_text_add(&columns, "time[s],name,particles,mean[s],variance[s2],end[s]");
+    for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
+    {
+        dem_text_add(&columns, ",bin%d", b);
+    }
+    for (int k = 0; k < n; k++)
+    {
+        const struct dem_residence *const r = dem_residence(d, k);
+
+        if (r)
+        {
+            const double over = r->particles > 0 ? 1.0/(double)r->particles : 0.0, mean = over*r->sum;
+
+            dem_text_add(&t, "%.10g,%s,%lld,%.9g,%.9g,%.9g", now, flow[k].name, (long long)r->particles, mean,
+                         over*r->squares - mean*mean, r->end);
+            for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
+            {
+                dem_text_add(&t, ",%lld", (long long)r->bin[b]);
+            }
+            dem_text_add(&t, "\n");
+        }
+    }
+    const int status = columns.status ? columns.status : append(table, d, columns.text, &t);
+
+    dem_text_free(&columns);
+    return status;
+}
+
 /* ---- cell ------------------------------------------------------------------------------------ */
 
 int dem_table_add_cell(const struct dem_table *table, struct dem *d, double now)

@@ -14,6 +14,7 @@
 #include "particles/scalars.h"
 #include "particles/uniform_fluid.h"
 #include "records/energy_balance.h"
+#include "sources/residence.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,6 +22,7 @@
 
 void dem_flows_free(struct dem_flows *f)
 {
+    dem_residence_free(f);
     dem_memory_free(f->arrival);
     dem_memory_free(f->departure);
     memset(f, 0, sizeof *f);
@@ -160,6 +162,10 @@ void dem_flows_begin_columns(struct dem_state *p, size_t i, const struct dem_uni
 
     dem_scalars_begin_particle(all, &p->interaction_table, i);
     dem_uniform_fluid_fill(all, i, fluid, 0.0);
+    if (dem_column(all, DEM_COLUMN_BIRTH))
+    {
+        dem_column(all, DEM_COLUMN_BIRTH)[i] = p->time;
+    }
     if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
         memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
@@ -271,6 +277,7 @@ int dem_flows_sum_departures(struct dem_state *p)
         struct dem_snapshot_flow *const row = &f->flow[all[k].flow];
 
         row->count++;
+        dem_residence_add(f, all[k].flow, all[k].age);
         row->mass += all[k].mass;
         row->energy += all[k].energy;
         for (int a = 0; a < 3; a++)
@@ -301,6 +308,7 @@ void dem_flows_backup(struct dem_flows *f)
 {
     memcpy(f->backup, f->flow, sizeof f->backup);
     memcpy(f->backup_contact_force, f->contact_force, sizeof f->backup_contact_force);
+    dem_residence_backup(f);
     f->backup_id = f->next_id;
 }
 
@@ -308,6 +316,7 @@ void dem_flows_restore(struct dem_flows *f)
 {
     memcpy(f->flow, f->backup, sizeof f->flow);
     memcpy(f->contact_force, f->backup_contact_force, sizeof f->contact_force);
+    dem_residence_restore(f);
     f->next_id = f->backup_id;
     f->arrivals = f->departures = 0;
     f->now = f->left = 0;

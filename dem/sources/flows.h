@@ -66,6 +66,7 @@ struct dem_departure
     int64_t id;
     int flow;                          /* its index in `flow` */
     double mass, momentum[3], energy;  /* kg, kg m/s, J */
+    double age;                        /* s  since its entry, where an outlet asks */
     double contact_force[3];                    /* N  contact force, whose reaction acts on
                                           the partners for another half step */
 };
@@ -88,6 +89,7 @@ struct dem_flows
     size_t arrivals, arrival_capacity, departures, departure_capacity;
     struct dem_arrival *arrival;            /* the same on all ranks, until they are inserted */
     struct dem_departure *departure;        /* of this rank, until they are summed */
+    struct dem_residence *residence;        /* of each flow, then the backup; NULL: no outlet asks */
     const struct dem_uniform_fluid *fluid;  /* of the scene, for inserted particles */
 };
 

@@ -10,7 +10,7 @@
 #include "core/did_you_mean.h"
 #include "core/vec.h"
 #include "particles/initial_particles.h"
-#include "sources/insert_amount.h"
+#include "sources/insert.h"
 #include "laws/material_entry.h"
 #include <math.h>
 #include <stdio.h>
@@ -113,80 +113,6 @@ static int check_masses(const struct dem_stream *s, const struct dem_interaction
     return DEM_OK;
 }
 
-/* ---- a group with `at` ----------------------------------------------------------------------- */
-
-/* The box around all positions of a list; its particles have one diameter and velocity. */
-static int read_positions(struct dem_stream *s, const struct dem_dict *dict)
-{
-    struct dem_insertion_shape *const box = &s->inlet.shape;
-    const double radius = 0.5*s->sizes.max;
-    size_t n;
-
-    DEM_TRY(dem_dict_vectors(dict, "positions", "m", &s->positions, &n));
-    DEM_REQUIRE(n > 0 && s->sizes.n == 0, DEM_ERROR_INPUT,
-                "%s: a list with `at` has %zu positions and one diameter for all; give at least one "
-                "position, and diameter", s->where, n);
-    s->count = (int64_t)n;
-    for (int k = 0; k < 3; k++)
-    {
-        box->min[k] = INFINITY;
-        box->max[k] = -INFINITY;
-        for (size_t m = 0; m < n; m++)
-        {
-            box->min[k] = fmin(box->min[k], s->positions[m][k] - radius);
-            box->max[k] = fmax(box->max[k], s->positions[m][k] + radius);
-        }
-    }
-    return DEM_OK;
-}
-
-/* The number of particles of a random group, from count, mass or solidFraction. */
-static int read_group_count(struct dem_stream *s, const struct dem_dict *dict,
-                            const struct dem_interaction_table *r)
-{
-    struct dem_insert_group group = {.dict = dict,
-                                     .type = DEM_INSERT_RANDOM,
-                                     .material = s->material,
-                                     .seed = s->seed,
-                                     .shape = s->inlet.shape};
-    struct dem_amount amount;
-
-    snprintf(group.where, sizeof group.where, "%s", s->where);
-    DEM_TRY(dem_amount_read(&amount, &group, r, dem_size_distribution_mean_volume(&s->sizes)));
-    const int status = dem_amount_draw(&group, &amount, &s->sizes);
-
-    dem_memory_free(group.drawn);
-    s->count = group.count;
-    return status;
-}
-
-/* What a group with `at` has instead of a rate and an inlet; the region of a random one is opened at
-   periodic faces before its volume counts. */
-static int read_group(struct dem_stream *s, const struct dem_dict *dict, const char *type,
-                      const struct dem_interaction_table *r, const struct dem_domain *d)
-{
-    const int list = strcmp(type, "list") == 0;
-
-    DEM_REQUIRE(list || strcmp(type, "random") == 0, DEM_ERROR_INPUT,
-                "%s: type %s with `at`; groups of a later time are of type random or list", s->where,
-                type);
-    DEM_TRY(dem_dict_time_or(dict, "at", 0.0, &s->start, &s->stage[0]));
-    DEM_REQUIRE(s->stage[0] || (s->start >= 0.0 && isfinite(s->start)), DEM_ERROR_INPUT,
-                "%s: at %g s; give a time of 0 or more, or the name of a stage", s->where, s->start);
-    s->end = s->start;
-    s->stage[1] = s->stage[0];
-    s->at_once = 1;
-    s->mass = INFINITY;
-    DEM_TRY(list ? read_positions(s, dict) : dem_inlet_shape_read(&s->inlet, dict, s->where));
-    DEM_REQUIRE(s->inlet.kind == DEM_INLET_REGION, DEM_ERROR_INPUT,
-                "%s: a random group with `at` fills a region; give min and max, cylinder or sphere",
-                s->where);
-    DEM_TRY(list ? DEM_OK : dem_inlet_shape_check(&s->inlet, d, 0.5*s->sizes.max, s->where));
-    DEM_TRY(list ? DEM_OK : read_group_count(s, dict, r));
-    s->rate = (double)s->count;
-    return DEM_OK;
-}
-
 static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
                        const struct dem_interaction_table *r, const struct dem_domain *d)
 {
@@ -204,7 +130,7 @@ static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
     DEM_TRY(check_masses(s, r));
     if (strcmp(type, "stream") != 0)
     {
-        DEM_TRY(read_group(s, dict, type, r, d));
+        DEM_TRY(dem_stream_read_group(s, dict, type, r, d));
         return read_velocity(s, dict);
     }
     DEM_TRY(read_rate(s, dict));
@@ -224,6 +150,9 @@ static int read_outlet(struct dem_outlet *o, const struct dem_dict *dict)
     memset(o, 0, sizeof *o);
     snprintf(where, sizeof where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(read_name(o->name, dict, where));
+    DEM_TRY(dem_dict_number_or(dict, "residence", "s", 0.0, &o->residence));
+    DEM_REQUIRE(o->residence > 0.0 || !dem_dict_has(dict, "residence"), DEM_ERROR_INPUT,
+                "%s: residence %g s; give the end of the histogram, above 0", where, o->residence);
     DEM_REQUIRE(
         shapes == 1, DEM_ERROR_INPUT,
         "%s: %s of min and max, cylinder, sphere, point and normal, patch; give one of them", where,
@@ -245,36 +174,9 @@ static int read_outlet(struct dem_outlet *o, const struct dem_dict *dict)
     return dem_insertion_shape_check_fits(&o->shape, 0.0, where);
 }
 
-static int refuse_same(const char *name, const char *other)
-{
-    DEM_REQUIRE(strcmp(name, other) != 0, DEM_ERROR_INPUT,
-                "planes/%s has the name of a stream, outlet or plane; rename one of them", name);
-    return DEM_OK;
-}
-
-static int check_plane_names(const struct dem_streams *s, int k)
-{
-    const char *const name = s->plane[k].name;
-
-    DEM_TRY(refuse_same(name, "domain"));
-    for (int o = 0; o < s->streams; o++)
-    {
-        DEM_TRY(refuse_same(name, s->stream[o].name));
-    }
-    for (int o = 0; o < s->outlets; o++)
-    {
-        DEM_TRY(refuse_same(name, s->outlet[o].name));
-    }
-    return DEM_OK;
-}
-
 /* A stream and an outlet of the same name could not be distinguished in tables. */
 static int check_names(const struct dem_streams *s)
 {
-    for (int k = 0; k < s->planes; k++)
-    {
-        DEM_TRY(check_plane_names(s, k));
-    }
     for (int o = 0; o < s->outlets; o++)
     {
         DEM_REQUIRE(
@@ -320,67 +222,6 @@ int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
         DEM_TRY(read_outlet(&s->outlet[s->outlets++], dem_entry_dict(e)));
     }
     return check_names(s);
-}
-
-static int read_plane(struct dem_flow_plane *p, const struct dem_dict *dict)
-{
-    char where[256];
-
-    memset(p, 0, sizeof *p);
-    snprintf(where, sizeof where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
-    DEM_TRY(read_name(p->name, dict, where));
-    DEM_TRY(dem_dict_vector(dict, "point", "m", p->point));
-    DEM_TRY(dem_dict_vector(dict, "normal", "1", p->normal));
-    DEM_TRY(dem_dict_number_or(dict, "radius", "m", INFINITY, &p->radius));
-    const double size = dem_vec_norm(p->normal);
-
-    DEM_REQUIRE(size > 0.0 && isfinite(size) && p->radius > 0.0, DEM_ERROR_INPUT,
-                "%s: normal of length %g, radius %g m; give the direction that counts as forth and a "
-                "radius above 0, or none for the whole plane", where, size, p->radius);
-    for (int k = 0; k < 3; k++)
-    {
-        p->normal[k] /= size;
-    }
-    return DEM_OK;
-}
-
-int dem_streams_read_planes(struct dem_streams *s, const struct dem_dict *planes)
-{
-    for (size_t k = 0; planes && k < dem_dict_count(planes); k++)
-    {
-        const struct dem_entry *const e = dem_dict_entry(planes, k);
-
-        DEM_REQUIRE(dem_entry_is_dict(e), DEM_ERROR_INPUT,
-                    "%s: planes holds planes like %s { point (0 0 0); normal (0 0 -1); radius 0.01; }",
-                    dem_entry_where(e), dem_entry_name(e));
-        DEM_TRY(DEM_GROW(s->plane, s->plane_capacity, s->planes + 1));
-        DEM_TRY(read_plane(&s->plane[s->planes++], dem_entry_dict(e)));
-    }
-    return check_names(s);
-}
-
-int dem_flow_plane_crossed(const struct dem_flow_plane *p, const double from[3], const double step[3],
-                           const double part[2])
-{
-    double away[3];
-
-    dem_vec_minus(from, p->point, away);
-    const double height = dem_vec_dot(away, p->normal), rise = dem_vec_dot(step, p->normal);
-    const int way = (height + rise >= 0.0) - (height >= 0.0);
-
-    if (way == 0)
-    {
-        return 0;
-    }
-    const double at = -height/rise;
-
-    for (int k = 0; k < 3; k++)
-    {
-        away[k] += at*step[k];
-    }
-    /* a crossing on a periodic face counts on one side of it */
-    return at >= part[0] && (at < part[1] || part[1] >= 1.0)
-                && dem_vec_dot(away, away) <= p->radius*p->radius ? way : 0;
 }
 
 int dem_streams_add_wall(struct dem_streams *s, const char *name, int *outlet)
@@ -590,6 +431,17 @@ int dem_outlet_meets(const struct dem_outlet *o, const double from[3], const dou
                      const double part[2])
 {
     return is_region(o) && dem_insertion_shape_meets(&o->shape, from, step, part);
+}
+
+int dem_streams_ask_residence(const struct dem_streams *s)
+{
+    int any = 0;
+
+    for (int k = 0; k < s->outlets; k++)
+    {
+        any |= s->outlet[k].residence > 0.0;
+    }
+    return any;
 }
 
 int dem_streams_have_regions(const struct dem_streams *s)

@@ -64,6 +64,7 @@ struct dem_outlet
                                            normal in `from` and `axis` */
     const char *patch;                  /* name of the patch; NULL: not a patch */
     int wall;                           /* 1: counts what walls with `absorb yes` take */
+    double residence;                   /* s  end of the histogram of residence times; 0: none */
 };
 
 struct dem_flow_plane               /* counts what passes, and removes nothing */
@@ -133,12 +134,19 @@ int dem_outlet_holds(const struct dem_outlet *, const double x[3]);
 int dem_outlet_meets(const struct dem_outlet *, const double from[3], const double step[3],
                      const double part[2]);
 
-/* Read the planes that count. */
+/* Read what a group with `at`, of this type, has instead of a rate and an inlet. */
+int dem_stream_read_group(struct dem_stream *, const struct dem_dict *, const char *type,
+                          const struct dem_interaction_table *, const struct dem_domain *);
+
+/* Read the planes that count, after streams and outlets. */
 int dem_streams_read_planes(struct dem_streams *, const struct dem_dict *planes);
 
 /* 1 when a part of a path goes through the plane along its normal, -1 against it, else 0. */
 int dem_flow_plane_crossed(const struct dem_flow_plane *, const double from[3], const double step[3],
                            const double part[2]);
+
+/* 1 when any outlet asks for the residence time. */
+int dem_streams_ask_residence(const struct dem_streams *);
 
 /* 1 when any outlet is a region, which a fast particle may pass between two checks, or a plane counts. */
 int dem_streams_have_regions(const struct dem_streams *);

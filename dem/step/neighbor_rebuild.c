@@ -18,6 +18,7 @@
 #include "records/lost_particles.h"
 #include "records/totals.h"
 #include "sources/flows.h"
+#include "sources/residence.h"
 #include "step/body_window.h"
 #include "step/cell_motion.h"
 #include "step/sweep_bodies.h"
@@ -64,7 +65,9 @@ static int remove_at_outlet(struct dem_state *state, size_t i, int outlet)
     {
         dem_energy_balance_particle_out(state, &state->particles.record[i], 0.5*state->dt);
     }
-    return dem_flows_record_departure(state, outlet, &state->particles.record[i], 0.5*state->dt);
+    DEM_TRY(dem_flows_record_departure(state, outlet, &state->particles.record[i], 0.5*state->dt));
+    dem_residence_record(state, i);
+    return DEM_OK;
 }
 
 int dem_neighbor_removal_is_due(const struct dem_state *state)
