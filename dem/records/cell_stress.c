@@ -41,9 +41,9 @@ struct sums    /* stress times V; fabric; modulus times V, contacts, mass, solid
     struct dem_binned_sum stress, fabric, other;
 };
 
-static void add_contacts(const struct dem_state *p, struct sums *s)
+static void add_segment(const struct dem_state *p, const struct dem_segment *segment, struct sums *s)
 {
-    for (uint32_t r = 0; r < p->contacts.rows.n; r++)
+    for (uint32_t r = segment->first; r < segment->first + segment->count; r++)
     {
         const double *f;
         double l[3], overlap;
@@ -65,6 +65,17 @@ static void add_contacts(const struct dem_state *p, struct sums *s)
         dem_binned_sum_add(&s->stress, stress);
         dem_binned_sum_add(&s->fabric, fabric);
         dem_binned_sum_add(&s->other, other);
+    }
+}
+
+/* Between the segments there may be rows of no contact. */
+static void add_contacts(const struct dem_state *p, struct sums *s)
+{
+    const struct dem_contact_rows *const rows = &p->contacts.rows;
+
+    for (int k = 0; k < rows->classes && rows->n > 0; k++)
+    {
+        add_segment(p, &rows->segment[k], s);
     }
 }
 
@@ -111,11 +122,11 @@ void dem_cell_measure(const struct dem_state *p, struct dem_cell_measured *m)
     }
 }
 
-void dem_cell_add_work(struct dem_state *p, double span)
+static void add_segment_work(struct dem_state *p, const struct dem_segment *segment, double span)
 {
     const double *const rate = p->cell.flow;
 
-    for (uint32_t r = 0; p->cell.active && r < p->contacts.rows.n; r++)
+    for (uint32_t r = segment->first; r < segment->first + segment->count; r++)
     {
         const double *f;
         double l[3], overlap;
@@ -125,5 +136,15 @@ void dem_cell_add_work(struct dem_state *p, double span)
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_CELL],
                                    -span*(rate[0]*f[0]*l[0] + rate[1]*f[1]*l[1] + rate[2]*f[2]*l[2]));
         }
+    }
+}
+
+void dem_cell_add_work(struct dem_state *p, double span)
+{
+    const struct dem_contact_rows *const rows = &p->contacts.rows;
+
+    for (int k = 0; p->cell.active && k < rows->classes && rows->n > 0; k++)
+    {
+        add_segment_work(p, &rows->segment[k], span);
     }
 }

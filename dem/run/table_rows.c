@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/text.h"
+#include <math.h>
 
 static int append(const struct dem_table *table, const struct dem *d, const char *columns,
                   struct dem_text *rows)
@@ -127,7 +128,7 @@ int dem_table_add_residence(const struct dem_table *table, struct dem *d, double
             const double over = r->particles > 0 ? 1.0/(double)r->particles : 0.0, mean = over*r->sum;
 
             dem_text_add(&t, "%.10g,%s,%lld,%.9g,%.9g,%.9g", now, flow[k].name, (long long)r->particles, mean,
-                         over*r->squares - mean*mean, r->end);
+                         fmax(over*r->squares - mean*mean, 0.0), r->end);
             for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
             {
                 dem_text_add(&t, ",%lld", (long long)r->bin[b]);

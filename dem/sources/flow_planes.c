@@ -99,7 +99,5 @@ int dem_flow_plane_crossed(const struct dem_flow_plane *p, const double from[3],
     {
         away[k] += at*step[k];
     }
-    /* a crossing on a periodic face counts on one side of it */
-    return at >= part[0] && (at < part[1] || part[1] >= 1.0)
-                && dem_vec_dot(away, away) <= p->radius*p->radius ? way : 0;
+    return at >= part[0] && at <= part[1] && dem_vec_dot(away, away) <= p->radius*p->radius ? way : 0;
 }

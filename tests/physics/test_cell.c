@@ -32,7 +32,7 @@ static void test_flow(void)
         {.position = {0.002, 0.003, 0.0071}, .diameter = 1e-3, .material = "glass", .id = 0},
         {.position = {0.008, 0.008, 0.0013}, .diameter = 1e-3, .material = "glass", .velocity = {0.0, 0.0, 0.05}, .id = 1}};
     struct dem *const d = world(
-        GLASS "time { step 1e-5; } domain { x (0 0.01); y (0 0.01); z (0 0.01); periodic (x y z); cell { zz { rate "
+        GLASS "time { step 2.5e-6; } domain { x (0 0.01); y (0 0.01); z (0 0.01); periodic (x y z); cell { zz { rate "
         "-2; } } } ", 2, seeds);
     struct dem_cell_now c;
 
@@ -40,7 +40,7 @@ static void test_flow(void)
     WORLD_TRY(dem_cell(d, &c));
     const double shorter = exp(-0.2);
 
-    TAP_OK(fabs(c.length[2]/(0.01*shorter) - 1.0) < 2.1e-6 && c.length[0] == 0.01,
+    TAP_OK(fabs(c.length[2]/(0.01*shorter) - 1.0) < 1e-6 && fabs(c.length[0] - 0.01) < 1e-15,
            "a cell of rate -2/s is exp(-0.2) as long after 0.1 s: %.9g", c.length[2]/0.01);
     TAP_OK(fabs(world_at(d, 0).x[2]/c.length[2] - 0.71) < 1e-12, "a particle at rest in the flow keeps its place "
            "in the cell: %.15g", world_at(d, 0).x[2]/c.length[2]);
@@ -131,7 +131,7 @@ static void test_strength(void)
 /* ---- bits ------------------------------------------------------------------------------------ */
 
 static const char gas[] =
-    GLASS "time { step 4e-6; } domain { x (0 0.008); y (-0.004 0.004); z (0 0.008); periodic (x y z); cell { xx { "
+    GLASS "time { step 2.5e-6; } domain { x (0 0.008); y (-0.004 0.004); z (0 0.008); periodic (x y z); cell { xx { "
     "stress -40; } yy { rate -1; } zz { rate 0.8; end 0.02; } maxRate 3; } } insert { a { type random; count 150; "
     "diameter 1e-3; min (0 -0.004 0); max (0.008 0.004 0.008); velocity (0.3 -0.2 0.1); } } ";
 
