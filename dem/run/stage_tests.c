@@ -236,16 +236,21 @@ int dem_stages_advance(struct dem *d, double duration, int (*window)(struct dem 
 
     /* the rest of an advance that was stopped ends at the same number */
     s->end = d->state.window.half_step_ahead && fabs(end - s->end) <= same_time*d->state.dt ? s->end : end;
-    for (double next = -INFINITY; next < s->end && !dem_stopped(d);)
+    for (;;)
     {
-        next = next_end(d);
+        const double next = next_end(d);
+
         DEM_TRY(window(d, next - d->state.time));
-        if (!dem_stopped(d))
+        if (d->state.window.half_step_ahead)    /* stopped */
         {
-            DEM_TRY(end_window(d));
+            return DEM_OK;
+        }
+        DEM_TRY(end_window(d));
+        if (next >= s->end)
+        {
+            return DEM_OK;
         }
     }
-    return DEM_OK;
 }
 
 const char *dem_run_stage(const struct dem *d, int k, double *begin, const char **why)

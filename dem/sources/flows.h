@@ -141,6 +141,10 @@ int dem_flows_outlet(const struct dem_state *, size_t i);
 /* Index of the outlet that contains a position in the domain [m], or DEM_FLOW_NONE. */
 int dem_flows_outlet_at(const struct dem_flows *, const double x[3]);
 
+/* How often particle i has passed each plane since the last check: times forth less times back. Returns 0
+   when its path is not known. */
+int dem_flows_planes_passed(const struct dem_state *, size_t i, int passed[DEM_SNAPSHOT_FLOWS]);
+
 /* Collective, at the begin of a check: count the particles that have passed planes since the last one.
    `late` [s]: by how much velocities are behind positions. */
 int dem_flows_count_passages(struct dem_state *, double late);

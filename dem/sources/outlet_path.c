@@ -10,8 +10,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "sources/flows.h"
-#include "core/error.h"
-#include "ranks/agree.h"
 #include "ranks/dem_state.h"
 #include <math.h>
 #include <string.h>
@@ -151,44 +149,20 @@ int dem_flows_outlet(const struct dem_state *p, size_t i)
     return path.outlet;
 }
 
-static int count_particle(struct dem_state *p, size_t i, double late)
+int dem_flows_planes_passed(const struct dem_state *p, size_t i, int passed[DEM_SNAPSHOT_FLOWS])
 {
-    const struct dem_streams *const plan = p->flows->plan;
     struct dem_particle q = p->particles.record[i];
     struct path path;
 
     dem_domain_wrap(&p->domain, &q);
     if (!begin_path(p, i, &q, &path))
     {
-        return DEM_OK;
+        return 0;
     }
-    path.planes = plan->planes;
+    path.planes = p->flows->plan->planes;
     test_path(&path, &p->domain);
-    for (int k = 0; k < plan->planes; k++)
-    {
-        for (int n = path.passed[k]; n != 0; n -= n > 0 ? 1 : -1)
-        {
-            DEM_TRY(dem_flows_record_departure(p, plan->streams + plan->outlets + 2*k + (n < 0), &q,
-                                               late));
-        }
-    }
-    return DEM_OK;
-}
-
-int dem_flows_count_passages(struct dem_state *p, double late)
-{
-    int status = DEM_OK;
-
-    if (p->flows->n == 0 || p->flows->plan->planes == 0)
-    {
-        return DEM_OK;
-    }
-    for (size_t i = 0; i < p->particles.n && !status; i++)
-    {
-        status = count_particle(p, i, late);
-    }
-    DEM_TRY(dem_agree(p, status));
-    return dem_flows_sum_departures(p);
+    memcpy(passed, path.passed, sizeof path.passed);
+    return 1;
 }
 
 void dem_flows_end_check(struct dem_state *p)
