@@ -14,7 +14,7 @@
 
 enum
 {
-    SPHERES = 32
+    SPHERES = 36
 };
 
 #define GLASS "materials { glass { density 2500; youngsModulus 1e8; poissonsRatio 0.3; } } effects { hertz { " \
@@ -51,37 +51,37 @@ static void test_flow(void)
 
 /* ---- a face-centred cubic packing ------------------------------------------------------------ */
 
-/* 2 x 2 x 2 cubes of four spheres, at the overlap of the pressure: N contacts of each sphere. */
-static void packing(struct dem_new_particle *seeds, double *length)
+/* Face-centred cubic, along [110], [-110] and [001]: 3 x 3 x 2 cells of two spheres, at the overlap of the
+   pressure, with 12 contacts of each sphere. */
+static void packing(struct dem_new_particle *seeds, double length[3])
 {
-    static const double base[4][3] = {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 0.0, 0.5}, {0.0, 0.5, 0.5}};
     const double modulus = 1e8/(2.0*(1.0 - 0.09)), volume = diameter*diameter*diameter/sqrt(2.0);
     const double force = 3.0*pressure*volume/(6.0*diameter);
     const double overlap = cbrt(pow(force/(4.0/3.0*modulus*sqrt(0.25*diameter)), 2.0));
-    const double edge = sqrt(2.0)*(diameter - overlap);
+    const double near = diameter - overlap, edge[3] = {near, near, sqrt(2.0)*near};
 
     for (int k = 0; k < SPHERES; k++)
     {
-        const int cube[3] = {k/4%2, k/8%2, k/16};
+        const int cell[3] = {k/2%3, k/6%3, k/18};
 
         seeds[k] = (struct dem_new_particle){.diameter = diameter, .material = "glass", .id = k};
         for (int a = 0; a < 3; a++)
         {
-            seeds[k].position[a] = edge*(cube[a] + base[k%4][a] + 0.25);
+            seeds[k].position[a] = edge[a]*(cell[a] + 0.5*(k%2) + 0.25);
+            length[a] = edge[a]*(a < 2 ? 3.0 : 2.0);
         }
     }
-    *length = 2.0*edge;
 }
 
 static struct dem *fcc(const char *cell, int energy)
 {
     struct dem_new_particle seeds[SPHERES];
-    double length;
+    double length[3];
 
-    packing(seeds, &length);
+    packing(seeds, length);
     const char *const scene = world_text(
         GLASS "time { maxStartOverlap 0.1; } domain { x (0 %.15g); y (0 %.15g); z (0 %.15g); periodic (x y z); cell "
-        "{ %s } } ", length, length, length, cell);
+        "{ %s } } ", length[0], length[1], length[2], cell);
 
     return energy ? energy_world(scene, SPHERES, seeds) : world(scene, SPHERES, seeds);
 }
@@ -91,17 +91,17 @@ static struct dem *fcc(const char *cell, int energy)
 static double strength(struct dem *d, double time, double (*exact)(double tangent), double *held)
 {
     struct dem_cell_now c;
-    double first = 0.0, largest = 0.0;
+    double largest = 0.0;
 
     *held = 0.0;
     for (int k = 0; k < 100; k++)
     {
         world_run(d, time/100.0);
         WORLD_TRY(dem_cell(d, &c));
-        first = first > 0.0 ? first : c.length[2];
-        const double z = c.length[2], x = c.length[0];
+        /* of a contact between the layers: 1 at the start */
+        const double tangent = c.length[2]/2.0/(c.length[0]/3.0*sqrt(2.0));
 
-        largest = fmax(largest, c.stress[2]/c.stress[0]/exact(z/x));
+        largest = fmax(largest, c.stress[2]/c.stress[0]/exact(tangent));
         *held = k > 20 ? fmax(*held, fabs(c.stress[0]/-pressure - 1.0)) : *held;
     }
     return largest;
@@ -110,6 +110,13 @@ static double strength(struct dem *d, double time, double (*exact)(double tangen
 static double triaxial(double tangent)
 {
     return 2.0*tangent*(tangent + 0.3)/(1.0 - 0.3*tangent);
+}
+
+/* At the start: the axis y keeps its length. */
+static double plane_strain(double tangent)
+{
+    (void)tangent;
+    return 4.8812;
 }
 
 static void test_strength(void)
@@ -125,6 +132,11 @@ static void test_strength(void)
                && energy_term(d, "work_cell") > 0.0,
            "the work of the cell, %.4g J, is in the balance, but for %.2g J", energy_term(d, "work_cell"),
            energy_term(d, "residual"));
+    dem_free(d);
+    d = fcc("xx { stress -100; } zz { rate -0.04; } maxRate 2;", 0);
+    const double plane = strength(d, 0.06, plane_strain, &held);
+
+    TAP_OK(fabs(plane - 1.0) < 0.01, "in plane strain at %.4f of 4.8812", plane);
     dem_free(d);
 }
 
