@@ -45,8 +45,13 @@ static int read_load(struct dem_run_stage *s, const struct dem_dict *dict, const
                 "%s: stages/%s waits for a force on wall %.63s, but the scene has no such wall; a side "
                 "of a box is named like boxMaxZ", dem_dict_where(dict), s->name, wall);
     snprintf(s->wall, sizeof s->wall, "%.63s", wall);
-    DEM_TRY(dem_dict_number(dict, "value", "N", &s->load));
-    DEM_TRY(dem_dict_number_or(dict, "within", "1", 0.0, &s->within));
+    const struct dem_wall_body *const b = dem_walls_body(w, s->wall_index);
+    const int servo = b && b->kind == DEM_WALL_BODY_SERVO && !b->table;
+
+    s->load = servo ? fabs(b->force[0]*b->area) : 0.0;
+    DEM_TRY(servo ? dem_dict_number_or(dict, "value", "N", s->load, &s->load)
+                  : dem_dict_number(dict, "value", "N", &s->load));
+    DEM_TRY(dem_dict_number_or(dict, "within", "1", servo ? 0.01 : 0.0, &s->within));
     DEM_TRY(dem_dict_number_or(dict, "lasting", "s", 0.0, &s->lasting));
     DEM_TRY(dem_dict_vector_or(dict, "direction", "1", none, s->direction));
     const double size = dem_vec_norm(s->direction);
@@ -172,6 +177,23 @@ static void set_time(double *time, int stage, int begun, double begin)
     *time = stage == begun ? begin : *time;
 }
 
+static void set_frame_times(struct dem_wall_frame *f, int side, int begun, double begin)
+{
+    struct dem_compound_motion *const c = f->compound;
+
+    set_time(side ? &f->motion.end : &f->motion.start, f->motion.stage[side], begun, begin);
+    for (int k = 0; c && k < c->parts; k++)
+    {
+        struct dem_motion *const m = &c->part[k].motion;
+
+        set_time(side ? &m->end : &m->start, m->stage[side], begun, begin);
+    }
+    if (c && c->body)
+    {
+        set_time(side ? &c->body->end : &c->body->start, c->body->stage[side], begun, begin);
+    }
+}
+
 void dem_stages_begin(struct dem *d, int k, double time, const char *why)
 {
     struct dem_run_stages *const s = &d->scene.stages;
@@ -191,9 +213,7 @@ void dem_stages_begin(struct dem *d, int k, double time, const char *why)
         }
         for (int n = 0; n < w->frames; n++)
         {
-            struct dem_motion *const m = &w->frame[n].motion;
-
-            set_time(side ? &m->end : &m->start, m->stage[side], begun, time);
+            set_frame_times(&w->frame[n], side, begun, time);
         }
     }
     for (int n = 0; n < 3; n++)

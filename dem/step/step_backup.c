@@ -7,6 +7,7 @@
 #include "particles/domain.h"
 #include "ranks/agree.h"
 #include "sources/flows.h"
+#include "step/wall_bodies.h"
 #include <math.h>
 #include <string.h>
 
@@ -45,6 +46,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     memcpy(state->cell.backup[0], state->domain.length, sizeof state->domain.length);
     memcpy(state->cell.backup[1], state->cell.rate, sizeof state->cell.rate);
     memcpy(state->cell.backup[2], state->cell.integral, sizeof state->cell.integral);
+    dem_wall_bodies_backup(state, half_kick ? half_kick->kick : 0.0);
     backup->time = state->time;
     backup->steps = state->steps;
     if (half_kick)
