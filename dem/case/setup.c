@@ -24,6 +24,7 @@
 #include "records/totals.h"
 #include "particles/orientation.h"
 #include "ranks/collect.h"
+#include "records/wall_wear.h"
 #include "step/body_window.h"
 #include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
@@ -241,6 +242,7 @@ static int place_particles(struct dem_case *c)
                         : dem_energy_balance_watch_walls(d->state.energy_balance, &d->state.walls);
         DEM_TRY(dem_api_agree(d, status));
     }
+    DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
     DEM_TRY(dem_api_agree(d, distribute(c)));
     DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));

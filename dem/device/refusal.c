@@ -39,6 +39,7 @@ static int refuse_laws(const struct dem_interaction_table *t, char *why, size_t 
 static const char *wall_reason(const struct dem_wall *w)
 {
     return w->follows_mesh                       ? "follows a mesh"
+           : w->wear > 0.0                       ? "wears"
            : w->triangles > DEM_DEVICE_TRIANGLES ? "has more than 8 million triangles"
                                                  : NULL;
 }
