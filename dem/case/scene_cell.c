@@ -108,6 +108,9 @@ int dem_cell_refuse(const struct dem *d)
                     "to its flow, and there is no gravity or fluid; remove one of them",
                     r->effect[k]->name);
     }
+    DEM_REQUIRE(d->scene.shapes.n == 0, DEM_ERROR_INPUT,
+                "domain/cell and shapes: rigid bodies of several spheres do not follow a cell; remove one of "
+                "them");
     DEM_REQUIRE(!d->coupled && d->scene.streams.streams + d->scene.streams.outlets + d->scene.streams.planes == 0
                     && p->applied_forces.n == 0, DEM_ERROR_INPUT,
                 "domain/cell does not go with a coupled fluid, forces, streams, groups with `at`, outlets "

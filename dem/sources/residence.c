@@ -83,7 +83,7 @@ void dem_residence_record(struct dem_state *p, size_t i)
 {
     const double *const birth = dem_column(&p->particles, DEM_COLUMN_BIRTH);
 
-    if (birth)
+    if (birth && dem_clump_counts(&p->particles.record[i]))
     {
         p->flows->departure[p->flows->departures - 1].age = p->time - birth[i];
     }
