@@ -141,11 +141,9 @@ int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
 {
     static const struct kind fours = {"a list of four numbers each ( (x y z r) ... )", take_four,
                                       sizeof(double[4])};
-    const struct dem_entry *e;
     void *items;
 
-    DEM_TRY(dem_dict_require(d, name, unit, &e));
-    DEM_TRY(read_list(e, &fours, unit, &items, n));
+    DEM_TRY(read_list(d, name, &fours, unit, &items, n));
     *values = items;
     return DEM_OK;
 }
