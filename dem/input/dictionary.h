@@ -42,7 +42,7 @@ struct dem_entry;
 int dem_dict_read_file(struct dem_dict **d, const char *path);
 int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name);
 
-/* Set one entry: `path` is its name with those of the dictionaries around it, "effects/dry/restitution",
+/* Set one entry: `path` is its name behind the names of the dictionaries around it, "effects/dry/restitution",
    which are made where they are missing; `value` a value or { entries }. An entry of this name is
    replaced, a dictionary is merged. The path is the file name in messages. After an error free the
    tree. */

@@ -59,7 +59,7 @@ LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or 
            ("buoyancy", "use fluid and pressureGradient in the scene"),
            ("setforce", "Suna sets no force; frozen, driven"), ("spring", "Suna has no such force"),
            ("deform", "the domain keeps its size"),
-           ("momentum", "Suna keeps momentum; the frame is that of the walls"),
+           ("momentum", "Suna keeps momentum; the frame is fixed to the walls"),
            ("remove", "use outlets in the scene"),
            ("insert/pack/", "use insert/pack with a region"),
            ("pour", "use insert/pack or insert/stream, which replaced it"))
