@@ -24,10 +24,12 @@
 #include "records/totals.h"
 #include "particles/orientation.h"
 #include "ranks/collect.h"
+#include "records/wall_wear.h"
 #include "step/body_window.h"
 #include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
+#include "step/wall_bodies.h"
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -146,7 +148,7 @@ static int distribute(struct dem_case *c)
     DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_bond_energies(&p->particles, &p->contacts);
     p->limits.overlap = 0.0;
-    return DEM_OK;
+    return p->walls.bodies > 0 ? dem_wall_bodies_sum(p) : DEM_OK;
 }
 
 static int begin_energy(struct dem *d)
@@ -237,6 +239,7 @@ static int place_particles(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, dem_energy_balance_open(d->state.energy_balance,
                                                          &d->state.interaction_table)));
     }
+    DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
     DEM_TRY(dem_api_agree(d, distribute(c)));
     DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));

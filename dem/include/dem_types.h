@@ -128,14 +128,11 @@ struct dem_profile
     {
         const char *name;
         double mean, max;                     /* s  mean and largest over ranks */
-        double processor;                     /* s  processor time, mean over ranks: less than
-                                                 `mean` where a rank slept or others had the
-                                                 processor */
     } phase[DEM_PROFILE_PHASES];              /* the means add up to wall */
     double wall, outside;                     /* s  wall-clock time; part of it outside
                                                  dem_advance: means over ranks */
-    double processor;                         /* s  processor time of all ranks, whatever the
-                                                 process did */
+    double processor;                         /* s  processor time of all ranks: less than theirs
+                                                 in `wall` where others had the processor */
     double imbalance;                         /* 1  load imbalance: largest over mean working
                                                  time, without waiting */
     int64_t steps, rebuilds, prunes;
@@ -223,6 +220,14 @@ struct dem_wall_info
     int64_t triangles;      /* in use */
     int64_t flat, repeats;  /* left out: without area; duplicates */
     int moves;              /* 1: it has a motion */
+};
+
+/* of any wall: dem_wall_position */
+struct dem_wall_position
+{
+    double rotation[3][3], shift[3];    /* 1, m  what was given at X is at rotation X + shift */
+    int axes;                           /* moved by force: its free axes, 1 for a hinge; else 0 */
+    double moved[3], velocity[3];       /* m, m/s along these axes; rad, rad/s for a hinge */
 };
 
 /* ---- particles ------------------------------------------------------------------------------- */

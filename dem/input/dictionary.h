@@ -113,6 +113,10 @@ const char *dem_entry_token(const struct dem_entry *e, size_t i);
 int dem_dict_each(const struct dem_dict *d, const char *name,
                   int (*read)(void *, const struct dem_dict *), void *context);
 
+/* The same for d/name that is a dictionary, or a list ( {...} {...} ) of some. */
+int dem_dict_each_item(const struct dem_dict *d, const char *name,
+                       int (*read)(void *, const struct dem_dict *), void *context);
+
 /* Append a line for each entry of these sections: its path and its value, a long value as its hash; a
    dictionary has a line with {}. Marks nothing as read. */
 struct dem_text;

@@ -22,10 +22,8 @@ static void add_term(struct dem_energy_balance *l, const char *kind, const char 
 /* Kinetic energies of translation and rotation [J]; the same on all ranks. */
 static void kinetic_energies(const struct dem_state *p, double value[2])
 {
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
@@ -174,6 +172,26 @@ static double report_heat(struct dem_state *p)
     return gain - heated - walls - bodies + left - came;
 }
 
+/* The energy of walls that are moved by force, what they lost, less the work of their loads. */
+static double report_bodies_of_walls(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    const double loads = value_of(p, &l->sum[DEM_ENERGY_BALANCE_LOADS]),
+                 lost = value_of(p, &l->sum[DEM_ENERGY_BALANCE_LOST_WALLS]);
+    double kinetic = 0.0;
+
+    for (int k = 0; k < p->walls.walls; k++)
+    {
+        const struct dem_wall_body *const b = dem_walls_body(&p->walls, k);
+
+        kinetic += b ? dem_wall_body_kinetic(b) : 0.0;
+    }
+    add_term(l, "kinetic_walls", "", kinetic);
+    add_term(l, "lost_walls", "", lost);
+    add_term(l, "work_loads", "", loads);
+    return kinetic + lost - loads;
+}
+
 static double report_all(struct dem_state *p)
 {
     struct dem_energy_balance *const l = p->energy_balance;
@@ -204,6 +222,10 @@ static double report_all(struct dem_state *p)
     if (!p->walls.all_flat_static)
     {
         add_term(l, "work_walls", "", walls);
+    }
+    if (p->walls.bodies > 0)
+    {
+        total += report_bodies_of_walls(p);
     }
     if (l->driven)
     {

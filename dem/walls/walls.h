@@ -27,8 +27,9 @@
 #define DEM_WALLS_WALLS_H
 
 #include "core/name_index.h"
-#include "particles/periodic_image.h"
+#include "walls/compound_motion.h"
 #include "walls/facet.h"
+#include "walls/facet_image.h"
 #include "walls/wall_drive.h"
 #include "walls/wall_motion.h"
 #include <stddef.h>
@@ -67,6 +68,8 @@ struct dem_wall
     /* 1: the surface slides in itself (conveyor) */
     int driven;
     struct dem_wall_drive drive;
+    /* 1/Pa: coefficient of wear over hardness; 0: wear is not summed */
+    double wear;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
     /* one for each particle scalar; NULL: insulated for all */
@@ -126,6 +129,7 @@ struct dem_wall_record
 struct dem_wall_frame
 {
     struct dem_motion motion;
+    struct dem_compound_motion *compound;  /* of DEM_MOTION_COMPOUND; of this wall alone */
     struct dem_pose base;         /* where the motion begins, see wall_motion.h */
     int resumed;                  /* 1: the base is not the identity */
     struct dem_pose pose;         /* present */
@@ -181,6 +185,8 @@ struct dem_walls
     struct dem_mark *mark;
     /* m: largest displacement of a wall in the last step */
     double displacement;
+    /* number of frames that are moved by force */
+    int bodies;
     /* number of walls that follow a mesh */
     int following;
     /* of walls that follow a mesh: one per triangle, or NULL */
@@ -193,8 +199,8 @@ struct dem_walls
     double path_length;
     /* m: the same since lists were made */
     double since[DEM_MARK_REFERENCES];
-    /* number of walls that absorb particles */
-    int absorbing;
+    /* number of walls that absorb particles; whose wear is summed */
+    int absorbing, wearing;
     /* 1: all walls are flat and at rest, none is driven */
     int all_flat_static;
     /* 1: triangles are given on another rank */
@@ -233,10 +239,35 @@ int dem_walls_add_triangles(struct dem_walls *, int wall, size_t n, const double
    about its normal only). */
 int dem_walls_set_motion(struct dem_walls *, int wall, const struct dem_motion *);
 
-/* Before the walls are finished: a wall that had another motion, with this base, until `time` [s]
-   goes on from its pose then, with its motion from now on. The same motion keeps the base. */
-int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_motion *was,
-                            const struct dem_pose *base, double time);
+/* Likewise a motion of several parts, from a table or by force, which the walls own from now on, also
+   after an error. */
+int dem_walls_set_compound(struct dem_walls *, int wall, struct dem_compound_motion *);
+
+/* what a snapshot knows of the motion of a wall */
+struct dem_wall_before
+{
+    struct dem_motion motion;
+    struct dem_pose base;
+    int compound;                 /* 1: of the motion these only: */
+    uint64_t hash;
+    struct dem_pose stood;
+    struct dem_wall_body_state body;
+};
+
+/* Before the walls are finished: a wall that had another motion until `time` [s] goes on from its pose
+   then, with its motion from now on. The same motion keeps the base, and the state of a body. */
+int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_wall_before *,
+                            double time);
+
+/* The axis [unit] and a point on it [m] about which a wall or its surface turns. Returns 0, and the z
+   axis, for a wall that does not turn about one axis fixed in space. */
+int dem_walls_axis(const struct dem_walls *, int wall, double origin[3], double axis[3]);
+
+/* The pose of a frame at a time [s]; of a body, with its present displacement. */
+void dem_wall_frame_pose(const struct dem_wall_frame *, double time, struct dem_pose *);
+
+/* The body of a wall that is moved by force, or NULL. */
+struct dem_wall_body *dem_walls_body(const struct dem_walls *, int wall);
 
 /* After the walls are finished: normal or axis, point, radius; or area and centroid of triangles.
    dem_walls_same_form: 1 when two of them are of the same wall. Triangles may differ by the rounding
@@ -262,37 +293,14 @@ void dem_walls_find_push(struct dem_walls *);
 
 /* ---- periodic images: no effect without periodic axes ----------------------------------------- */
 
-/* Largest number of periods between a triangle and its image that a particle meets. Small, as a plate
-   much larger than the domain has this number of images around each particle, squared. */
-enum
-{
-    DEM_WALL_IMAGES = 2
-};
-
-/* The images [n, n] of an extent that may meet another one [m]: all that meet it; 0 without a period. */
-void dem_walls_image_range(double period, const double extent[2], const double other[2],
-                           int range[2]);
-
 /* The period [m] of the images of triangles with this reference frame, -1: at rest. */
 static inline const double *dem_walls_period(const struct dem_walls *w, int frame)
 {
     return frame < 0 ? w->period : w->frame[frame].period;
 }
 
-/* Where x is when the image that is n periods off is taken back: x itself, or written to `moved`. */
-static inline const double *dem_walls_from_image(const double period[3], const int8_t n[3],
-                                                 const double x[3], double moved[3])
-{
-    if (!(n[0] | n[1] | n[2]))
-    {
-        return x;
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        moved[k] = x[k] - n[k]*period[k];
-    }
-    return moved;
-}
+/* Whole periods taken off a wall's displacement, for the keys of its contacts. */
+void dem_walls_turns(const struct dem_walls *, int wall, int turns[3]);
 
 /* A corner of a triangle at its place in the facet. */
 void dem_walls_place_corner(const struct dem_walls *, const struct dem_triangle *, int k,
