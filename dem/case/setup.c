@@ -229,6 +229,7 @@ static int place_particles(struct dem_case *c)
     DEM_TRY(dem_api_agree(d, dem_api_create_particles(c)));
     dem_orientation_begin(&d->state.particles);
     DEM_TRY(dem_api_agree(d, prepare_physics(c)));
+    DEM_TRY(dem_api_agree(d, dem_api_begin_clumps(d)));
     DEM_TRY(dem_api_agree(d, dem_api_position_mesh_walls(d)));
     if (d->scene.fluid.given || !c->load_path[0])
     {
