@@ -63,42 +63,6 @@ static int build(struct dem_device *d, const struct dem_state *state)
     return find_kernels(d);
 }
 
-/* Forces of the scene on chosen particles. */
-static int put_applied(struct dem_device *d, const struct dem_applied_forces *a)
-{
-    struct dem_device_applied *all;
-    size_t ids = 0;
-    int status = DEM_OK;
-
-    for (int k = 0; k < a->n; k++)
-    {
-        ids += a->force[k].count;
-    }
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->ids, ids*sizeof(int64_t)));
-    DEM_TRY(DEM_NEW(all, a->n + 1));
-    ids = 0;
-    for (int k = 0; k < a->n; k++)
-    {
-        const struct dem_applied_force *const f = &a->force[k];
-
-        all[k] = (struct dem_device_applied){.from = f->start, .until = f->end,
-                                             .material = f->material, .all = !f->ids,
-                                             .first = (uint32_t)ids,
-                                             .end = (uint32_t)(ids + f->count)};
-        memcpy(all[k].force, f->force, sizeof f->force);
-        memcpy(all[k].torque, f->torque, sizeof f->torque);
-        memcpy(all[k].min, f->min, sizeof f->min);
-        memcpy(all[k].max, f->max, sizeof f->max);
-        status = status ? status
-                        : dem_opencl_write(d->cl, &d->ids, ids*sizeof(int64_t),
-                                           f->count*sizeof(int64_t), f->ids);
-        ids += f->count;
-    }
-    status = status ? status : dem_opencl_put(d->cl, &d->applied, (size_t)a->n*sizeof *all, all);
-    dem_memory_free(all);
-    return status;
-}
-
 static int put_constants(struct dem_device *d, const struct dem_state *state)
 {
     struct dem_device_axes axes;
@@ -109,7 +73,6 @@ static int put_constants(struct dem_device *d, const struct dem_state *state)
         axes.round[k] = state->domain.round[k];
         axes.flat[k] = state->domain.flat[k];
     }
-    DEM_TRY(put_applied(d, &state->applied_forces));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->axes, sizeof axes));
     DEM_TRY(dem_opencl_write(d->cl, &d->axes, 0, sizeof axes, &axes));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->shift, sizeof state->pairs.shift));
