@@ -8,14 +8,18 @@
  *                                                              other settings for two materials
  *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface;
  *                        material; motion { ... } ... } }
- *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove; }
+ *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove;
+ *                 cell { xx { rate; | stress; start; end; } yy; zz; maxRate; } }
  *     insert    { NAME { type lattice|random|list|table|stream; ... } }
+ *     shapes    { NAME { spheres ((x y z r) ...); } }          rigid bodies of several spheres
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
+ *     planes    { NAME { point; normal; radius; } }            count what passes
  *     start     { snapshot "FILE"; SCALAR VALUE; }             instead of insert
  *     bonds     { pairs (ID ID ...); }                         for an effect with listed bonds
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }
  *                                                              uniform, without a coupled solver
  *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; }
+ *     stages    { NAME { until quiet; | until { force WALL; value; } | duration; atMost; } }
  *     neighbours{ outerSkin; innerSkin; }
  *     averages  { NAME { min; max; cells; start; end; interval; } }
  *     device    gpu|NAME;                                      makes the steps in place of the CPU
@@ -27,12 +31,15 @@
 #define DEM_CASE_SCENE_H
 
 #include "particles/uniform_fluid.h"
+#include "case/scene_cell.h"
+#include "case/stages.h"
 #include "records/averages_io.h"
 #include "input/dictionary.h"
 #include "sources/insert.h"
 #include "sources/stream.h"
 #include "particles/domain.h"
 #include "particles/applied_forces.h"
+#include "particles/clump_shape.h"
 #include "laws/interaction_table.h"
 #include "particles/scalar_entry.h"
 #include "walls/walls.h"
@@ -50,6 +57,7 @@ struct dem_scene
     struct dem_scalar_entry start_scalar[DEM_SCALARS];    /* of its particles, where given */
     int start_frozen;                      /* 1: freeze them, 0: free them, -1: as they are */
     struct dem_uniform_fluid fluid;
+    struct dem_clump_shapes shapes;        /* templates of rigid bodies */
     struct dem_insertion insertion;        /* groups of particles to be placed */
     struct dem_streams streams;            /* streams and outlets */
     struct dem_initial_particles initial;  /* particles of all groups, once placed */
@@ -58,6 +66,8 @@ struct dem_scene
     const char *device;                    /* that makes the steps; "cpu": none */
     const int64_t *bond_ids;               /* ids of bonded pairs, two each; NULL: no list */
     size_t bond_id_count;
+    struct dem_run_stages stages;
+    struct dem_cell cell;
 };
 
 /* Read the materials; call this first, because walls and particles added through the API need

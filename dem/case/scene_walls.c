@@ -11,6 +11,7 @@
 #include "core/memory.h"
 #include "core/did_you_mean.h"
 #include "input/stl.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -147,6 +148,21 @@ static int read_shape(const struct wall_reader *reader, const struct dem_dict *d
     }
 }
 
+/* `from` and `until`: times, or stages. */
+static int read_presence(struct dem_walls *w, struct dem_wall *wall, const struct dem_dict *dict)
+{
+    int *const stage = wall->there_stage;
+
+    DEM_TRY(dem_dict_time_or(dict, "from", -INFINITY, &wall->there[0], &stage[0]));
+    DEM_TRY(dem_dict_time_or(dict, "until", INFINITY, &wall->there[1], &stage[1]));
+    DEM_REQUIRE(stage[1] ? stage[0] < stage[1] : stage[0] || wall->there[0] < wall->there[1],
+                DEM_ERROR_INPUT,
+                "%s: wall %s is there until a time that is not after its time `from`; give a later "
+                "one", dem_dict_where(dict), wall->name);
+    w->passing += dem_dict_has(dict, "from") || dem_dict_has(dict, "until");
+    return DEM_OK;
+}
+
 /* Motions of single faces of a box, whose walls begin with `first`:  faces { maxZ { motion ... } } */
 static int read_faces(struct dem_walls *w, const struct dem_dict *dict, int first)
 {
@@ -184,6 +200,29 @@ static int check_bodies(const struct dem_walls *w, const struct dem_dict *dict, 
     return DEM_OK;
 }
 
+/* wear { coefficient; hardness; } of triangles. */
+static int read_wear(const struct dem_dict *dict, struct dem_wall *of)
+{
+    const struct dem_dict *wear;
+    double coefficient, hardness;
+
+    DEM_TRY(dem_dict_sub_if(dict, "wear", &wear));
+    if (!wear)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_number(wear, "coefficient", "1", &coefficient));
+    DEM_TRY(dem_dict_number(wear, "hardness", "Pa", &hardness));
+    DEM_REQUIRE(coefficient >= 0.0 && hardness > 0.0, DEM_ERROR_INPUT,
+                "%s: coefficient %g and hardness %g Pa; give numbers above 0", dem_dict_where(wear),
+                coefficient, hardness);
+    DEM_REQUIRE(of->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
+                "%s: wall %s has no triangles, whose wear could be summed; build it from triangles",
+                dem_dict_where(wear), of->name);
+    of->wear = coefficient/hardness;
+    return DEM_OK;
+}
+
 static int read_wall(void *context, const struct dem_dict *dict)
 {
     const struct wall_reader *const reader = context;
@@ -205,7 +244,10 @@ static int read_wall(void *context, const struct dem_dict *dict)
         w->wall[k].absorbs = absorb ? dem_dict_name(dict) : NULL;
         w->wall[k].frictionless = frictionless;
         w->absorbing += absorb;
+        DEM_TRY(read_wear(dict, &w->wall[k]));
+        w->wearing += w->wall[k].wear > 0.0;
         DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
+        DEM_TRY(read_presence(w, &w->wall[k], dict));
         DEM_TRY(dem_scene_read_motion(w, k, dict));
         DEM_REQUIRE(!(frictionless && w->wall[k].driven), DEM_ERROR_INPUT,
                     "%s: wall %s is frictionless, so the velocity of its surface moves no particle; "

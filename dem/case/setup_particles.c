@@ -16,6 +16,7 @@
 #include "particles/scalars.h"
 #include "particles/uniform_fluid.h"
 #include "ranks/collect.h"
+#include "sources/residence.h"
 #include "records/totals.h"
 #include <float.h>
 #include <math.h>
@@ -104,6 +105,10 @@ int dem_api_store_initial(struct dem *d, size_t from)
                     (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1],
                     c->particle[k].x[2]);
         DEM_TRY(dem_particles_add(p, &c->particle[k]));
+        if (c->particle[k].body)
+        {
+            *dem_clump_of(p, p->n - 1) = c->clump[k];
+        }
         for (int m = 0; m < c->scalars; m++)
         {
             dem_scalar_values(p, m)[p->n - 1] = c->scalar[k*(size_t)c->scalars + (size_t)m];
@@ -225,7 +230,9 @@ static unsigned column_groups(const struct dem_case *c)
                     | (c->orientation ? DEM_GROUP_ORIENTATION : 0)
                     | (under_relaxes(c) ? DEM_GROUP_UNDER_RELAXATION : 0)
                     | (c->own_wake ? DEM_GROUP_OWN_WAKE : 0)
-                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
+                    | (d->scene.shapes.n > 0 ? DEM_GROUP_CLUMP : 0)
+                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0)
+                    | (dem_streams_ask_residence(&d->scene.streams) ? DEM_GROUP_BIRTH : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
     {
@@ -248,7 +255,10 @@ static void remove_added_mass(struct dem_particles *p)
 {
     for (size_t i = 0; i < p->n; i++)
     {
-        p->record[i].inverse_mass = p->record[i].inverse_mass > 0.0 ? 1.0/p->record[i].mass : 0.0;
+        struct dem_particle *const r = &p->record[i];
+        const struct dem_clump *const b = dem_clump_of(p, i);
+
+        r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(b ? b->mass : r->mass) : 0.0;
     }
 }
 
@@ -325,8 +335,9 @@ int dem_api_begin_flows(struct dem_case *c)
     d->state.flows->fluid = &d->scene.fluid;
     d->state.flows->asked = d->flow_on_request;
     c->snapshot_flows.flows = c->scene_start ? 0 : c->snapshot_flows.flows;
-    return dem_flows_begin(&d->state, &d->scene.streams,
-                           c->load_path[0] ? &c->snapshot_flows : NULL);
+    DEM_TRY(dem_flows_begin(&d->state, &d->scene.streams,
+                            c->load_path[0] ? &c->snapshot_flows : NULL));
+    return dem_residence_begin(&d->state, d->before.text);
 }
 
 int dem_api_create_particles(struct dem_case *c)
@@ -355,6 +366,7 @@ int dem_api_create_particles(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, complete_scalars(c)));
         return dem_api_compare_scene(c);
     }
+    DEM_TRY(dem_stages_start(d, 0));
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
                              &p->walls, &p->decomposition));
     DEM_TRY(dem_api_join_initial(c));

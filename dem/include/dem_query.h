@@ -49,8 +49,7 @@ int dem_hash(struct dem *, uint64_t *hash);
 /* ---- device ---------------------------------------------------------------------------------- */
 
 /* What makes the steps, where the scene has an entry `device`: name, platform and driver of the device;
-   or a sentence why the CPU makes them all, with the same bits. "" without the entry. dem_wall_impulse
-   ends the use of a device. */
+   or a sentence why the CPU makes them all, with the same bits. "" without the entry. */
 const char *dem_device(const struct dem *);
 
 /* Steps that the device has made so far, in so many parts between which the state was copied; steps
@@ -75,6 +74,24 @@ int dem_lost(struct dem *, int64_t *n, const struct dem_loss **);
 /* Streams, outlets, and the domain if particles may leave it, in this order; none in a scene
    without streams and outlets. The same on all ranks; valid until the next call. */
 int dem_flows(struct dem *, int *n, const struct dem_flow **);
+
+/* The residence times of row k of dem_flows; NULL where its outlet has no entry `residence`. Valid until
+   the next advance. */
+const struct dem_residence *dem_residence(const struct dem *, int k);
+
+/* ---- stages ---------------------------------------------------------------------------------- */
+
+/* The name of stage k of the scene, from 0; NULL behind the last. *begin: when it began [s], infinite if it
+   has not; *why: what has ended the stage before it, "" where it is not known. */
+const char *dem_run_stage(const struct dem *, int k, double *begin, const char **why);
+int dem_stages_over(const struct dem *);  /* 1: the last stage has ended */
+
+/* ---- a cell that deforms ---------------------------------------------------------------------- */
+
+/* Collective. Of the scene's domain/cell; contacts are those of the last step, none after a load before
+   the first one. An error in a scene without a cell. */
+int dem_cell(struct dem *, struct dem_cell_now *);
+int dem_has_cell(const struct dem *);  /* 1: the scene has one */
 
 /* ---- bonds ----------------------------------------------------------------------------------- */
 
@@ -124,6 +141,12 @@ int dem_wall_set_load(struct dem *, const char *name, const double load[3]);
    9*dem_wall_info.triangles numbers of the first rank; other ranks may give NULL. The order is
    always the same. */
 int dem_wall_corners(struct dem *, int wall, double *corners);
+
+/* 1 when the wear of a wall is summed. dem_wall_wear, collective: the volume [m3] worn off each of its
+   triangles since the start or restart, in the order of dem_wall_corners, into an array of the first
+   rank; other ranks may give NULL. */
+int dem_wall_wears(const struct dem *, int wall);
+int dem_wall_wear(struct dem *, int wall, double *volume);
 
 /* ---- particles ------------------------------------------------------------------------------- */
 

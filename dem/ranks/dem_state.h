@@ -11,6 +11,8 @@
 
 #include "core/error.h"
 #include "particles/applied_forces.h"
+#include "particles/cell.h"
+#include "particles/clump.h"
 #include "particles/domain.h"
 #include "ranks/halo.h"
 #include "ranks/wall_store.h"
@@ -97,6 +99,8 @@ struct dem_progress
 struct dem_state
 {
     struct dem_domain domain;
+    /* how it deforms */
+    struct dem_cell cell;
     struct dem_interaction_table interaction_table;
     struct dem_particles particles;
     struct dem_contacts contacts;
@@ -109,6 +113,8 @@ struct dem_state
     struct dem_limits limits;
     /* of the scene, on chosen particles */
     struct dem_applied_forces applied_forces;
+    /* rigid bodies of several spheres */
+    struct dem_clumps clumps;
     struct dem_backup backup;
     struct dem_load_balance load_balance;
 

@@ -3,7 +3,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "core/vec.h"
 #include "records/energy_balance.h"
 #include "records/totals.h"
 #include "ranks/dem_state.h"
@@ -22,17 +21,15 @@ static void add_term(struct dem_energy_balance *l, const char *kind, const char 
 /* Kinetic energies of translation and rotation [J]; the same on all ranks. */
 static void kinetic_energies(const struct dem_state *p, double value[2])
 {
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
-        const double inertia = 0.4*r->mass*r->radius*r->radius;
+        struct dem_particle_share s;
 
-        dem_sum_add(&sum[0], 0.5*r->mass*dem_vec_dot(r->v, r->v));
-        dem_sum_add(&sum[1], 0.5*inertia*dem_vec_dot(r->w, r->w));
+        dem_particle_share(&p->particles, i, &s);
+        dem_sum_add(&sum[0], s.kinetic[0]);
+        dem_sum_add(&sum[1], s.kinetic[1]);
     }
     dem_totals_reduce_sums(p, sum, 2, value);
 }
@@ -127,6 +124,24 @@ static double report_bodies(struct dem_state *p)
     return total;
 }
 
+/* The springs of contacts with walls that have gone. */
+static double report_gone(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    double total = 0.0;
+
+    if (!l->wall_elastic)
+    {
+        return 0.0;
+    }
+    for (int k = 0; k < p->walls.walls; k++)
+    {
+        total += p->walls.wall[k].absent ? value_of(p, &l->wall_elastic[k]) : 0.0;
+    }
+    add_term(l, "lost_removed", "", total);
+    return total;
+}
+
 static int has_stage(const struct dem_interaction_table *r, enum dem_stage stage)
 {
     int has = 0;
@@ -202,6 +217,7 @@ static double report_all(struct dem_state *p)
     const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
                  left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
     const double driven = value_of(p, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
+    const double cell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_CELL]);
     const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
     const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
@@ -217,6 +233,7 @@ static double report_all(struct dem_state *p)
         add_term(l, potential->name, "", -fell);
     }
     total = kinetic[0] + kinetic[1] - fell + report_contacts(p);
+    total += report_gone(p);
     if (has_stage(&p->interaction_table, DEM_STAGE_BOND))
     {
         add_term(l, "broken", "", broken);
@@ -233,11 +250,15 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "work_driven", "", driven);
     }
+    if (p->cell.active)
+    {
+        add_term(l, "work_cell", "", cell);
+    }
     if (p->applied_forces.n > 0)
     {
         add_term(l, "work_forces", "", applied);
     }
-    total += broken - walls - applied - driven + report_bodies(p);
+    total += broken - walls - applied - driven - cell + report_bodies(p);
     if (p->domain.remove || l->flows)
     {
         add_term(l, "left", "", left);

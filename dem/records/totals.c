@@ -36,20 +36,12 @@ enum
     SUMS = 8                                              /* of a tally */
 };
 
-static double kinetic(const struct dem_particle *r)
-{
-    const double inertia = 0.4*r->mass*r->radius*r->radius;
-
-    return 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w);
-}
-
 double dem_totals_scalar(const struct dem_state *p, int k)
 {
     const double *const value = dem_scalar_values(&p->particles, k);
-    struct dem_sum sum;
+    struct dem_sum sum = {0};
     double total;
 
-    dem_sum_clear(&sum);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
@@ -81,21 +73,29 @@ int64_t dem_totals_moving(const struct dem_state *p, double energy)
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        n += kinetic(&p->particles.record[i]) > energy;
+        struct dem_particle_share s;
+
+        dem_particle_share(&p->particles, i, &s);
+        n += s.kinetic[0] + s.kinetic[1] > energy;
     }
     dem_collect_sum_int64(&p->decomposition, &n, 1);
     return n;
 }
 
-static void add_particle(struct dem_sum sum[SUMS], const struct dem_particle *r)
+static void add_particle(struct dem_sum sum[SUMS], const struct dem_state *p, size_t i)
 {
-    dem_sum_add(&sum[0], kinetic(r));
+    const struct dem_particle *const r = &p->particles.record[i];
+    struct dem_particle_share s;
+
+    dem_particle_share(&p->particles, i, &s);
+    dem_sum_add(&sum[0], s.kinetic[0] + s.kinetic[1]);
     for (int k = 0; k < 3; k++)
     {
-        dem_sum_add(&sum[1 + k], r->mass*r->v[k]);
+        dem_sum_add(&sum[1 + k], s.momentum[k]);
     }
-    dem_sum_add(&sum[4], dem_particle_volume(r));
-    dem_sum_add(&sum[5], r->mass);
+    dem_sum_add(&sum[4], r->body ? r->mass/p->interaction_table.material[r->material].density
+                                 : dem_particle_volume(r));
+    dem_sum_add(&sum[5], s.mass);
     dem_sum_add(&sum[6], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 2.0*r->radius);
     dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
 }
@@ -110,13 +110,9 @@ int64_t dem_totals_touching(const struct dem_state *p)
 static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
 {
     const struct dem_contacts *const c = &p->contacts;
-    struct dem_sum sum[4];
+    struct dem_sum sum[4] = {0};
     double value[4];
 
-    for (int k = 0; k < 4; k++)
-    {
-        dem_sum_clear(&sum[k]);
-    }
     for (uint32_t r = 0; r < c->rows.n; r++)
     {
         if (c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->particles.n)
@@ -139,17 +135,13 @@ static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
 
 void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 {
-    struct dem_sum sum[SUMS];
+    struct dem_sum sum[SUMS] = {0};
     double value[SUMS], g[3];
     int64_t count[2] = {(int64_t)p->particles.n, dem_totals_touching(p)};
 
-    for (int k = 0; k < SUMS; k++)
-    {
-        dem_sum_clear(&sum[k]);
-    }
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        add_particle(sum, &p->particles.record[i]);
+        add_particle(sum, p, i);
     }
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_interaction_table_gravity(&p->interaction_table, g);
@@ -359,11 +351,9 @@ int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *p
 
 double dem_totals_sauter_diameter(const struct dem_state *p)
 {
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
     double value[2];
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const double d = 2.0*p->particles.record[i].radius;
@@ -377,14 +367,12 @@ double dem_totals_sauter_diameter(const struct dem_state *p)
 
 int dem_totals_any_driven(const struct dem_state *p)
 {
-    struct dem_sum sum;
-    double count;
+    int64_t count = 0;
 
-    dem_sum_clear(&sum);
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        dem_sum_add(&sum, p->particles.record[i].flags & DEM_PARTICLE_DRIVEN ? 1.0 : 0.0);
+        count += (p->particles.record[i].flags & DEM_PARTICLE_DRIVEN) != 0;
     }
-    dem_totals_reduce_sums(p, &sum, 1, &count);
-    return count > 0.0;
+    dem_collect_sum_int64(&p->decomposition, &count, 1);
+    return count > 0;
 }

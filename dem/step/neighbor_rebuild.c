@@ -18,7 +18,9 @@
 #include "records/lost_particles.h"
 #include "records/totals.h"
 #include "sources/flows.h"
+#include "sources/residence.h"
 #include "step/body_window.h"
+#include "step/cell_motion.h"
 #include "step/sweep_bodies.h"
 #include <math.h>
 
@@ -63,7 +65,9 @@ static int remove_at_outlet(struct dem_state *state, size_t i, int outlet)
     {
         dem_energy_balance_particle_out(state, &state->particles.record[i], 0.5*state->dt);
     }
-    return dem_flows_record_departure(state, outlet, &state->particles.record[i], 0.5*state->dt);
+    DEM_TRY(dem_flows_record_departure(state, outlet, &state->particles.record[i], 0.5*state->dt));
+    dem_residence_record(state, i);
+    return DEM_OK;
 }
 
 int dem_neighbor_removal_is_due(const struct dem_state *state)
@@ -83,10 +87,10 @@ int dem_neighbor_check_removals(struct dem_state *state, int *removes)
     }
     for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const q = &state->particles.record[i];
-
-        outside = state->domain.remove && !dem_domain_contains(&state->domain, q->x) ? 1.0
-                                                                                      : outside;
+        outside = state->domain.remove && !dem_domain_contains(&state->domain,
+                                                               dem_clump_home(&state->particles, i))
+                      ? 1.0
+                      : outside;
         outside = outlets_due && dem_flows_outlet(state, i) != DEM_FLOW_NONE ? 1.0 : outside;
     }
     DEM_TRY(dem_agree_max(state, DEM_OK, &outside, 1));
@@ -108,6 +112,8 @@ static int wrap_and_remove(struct dem_state *state, int weighted)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&state->domain, &record[i]);
+        dem_clump_wrap(&state->domain, &state->particles, i);
+        const double *const home = dem_clump_home(&state->particles, i);
         const int outlet = dem_flows_outlet(state, i);
         const int absorbed = state->walls.absorbing && !state->flows->asked
                                  ? dem_flows_absorbed(state->flows, &record[i])
@@ -121,7 +127,7 @@ static int wrap_and_remove(struct dem_state *state, int weighted)
         {
             status = remove_at_outlet(state, i, outlet);
         }
-        else if (outlet != DEM_FLOW_NONE || dem_domain_contains(&state->domain, record[i].x) ||
+        else if (outlet != DEM_FLOW_NONE || dem_domain_contains(&state->domain, home) ||
                  (!dem_neighbor_removal_is_due(state) &&
                   isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
         {
@@ -219,6 +225,7 @@ int dem_neighbor_prune(struct dem_state *state, int rebuilt)
 
     state->prunes++;
     dem_walls_reset_marks(&state->walls, DEM_LIST_INNER);
+    dem_cell_list_made(state, DEM_LIST_INNER);
     status = dem_pairs_prune(&state->pairs, &state->particles, &state->walls, &state->contacts);
     if (!status && rebuilt)
     {
@@ -271,6 +278,7 @@ static int build_lists(struct dem_state *state, int status)
     dem_walls_wrap(&state->walls);
     status = hold_triangles(state, status);
     status = status ? status : dem_pairs_order(&state->pairs, &state->particles);
+    status = status ? status : dem_clumps_index(&state->clumps, &state->particles);
     status = dem_halo_build(&state->halo, status, &state->particles, &state->domain,
                             state->pairs.max_radius, state->pairs.outer);
     status = status ? status
@@ -280,6 +288,7 @@ static int build_lists(struct dem_state *state, int status)
     status = status ? status : dem_wall_touches_reserve(&state->touches, &state->pairs.wall_search);
     DEM_TRY(dem_agree(state, status));
     dem_walls_reset_marks(&state->walls, DEM_LIST_OUTER);
+    dem_cell_list_made(state, DEM_LIST_OUTER);
     DEM_TRY(dem_neighbor_prune(state, 1));
     count_lists(state);
     return DEM_OK;

@@ -22,6 +22,13 @@ static double used(const struct dem_state *state, enum dem_list list, double fur
     const struct dem_displacement *const d = &state->pairs.displacement[list];
     const double spread = d->spread + further;
 
+    if (d->deforms)
+    {
+        /* no walls there; displacements are of the lengths when the list was made */
+        return 2.0*spread*(1.0 + d->strain)
+             + d->strain*(2.0*state->pairs.max_radius + state->pairs.outer
+                          + state->interaction_table.reach);
+    }
     return spread + fmax(spread, dem_walls_max_displacement(&state->walls, list, d->centre));
 }
 
@@ -163,6 +170,28 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
 
 /* ---- absorbing walls ------------------------------------------------------------------------- */
 
+/* A rigid body is absorbed as a whole, by the wall that its first marked sphere touches. */
+static void mark_bodies(struct dem_state *state)
+{
+    const struct dem_clumps *const c = &state->clumps;
+    struct dem_particle *const record = state->particles.record;
+
+    for (size_t body = 0; body < c->n; body++)
+    {
+        unsigned mark = 0;
+
+        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+        {
+            mark = mark ? mark : record[c->member[k]].flags & DEM_PARTICLE_ABSORBED;
+        }
+        for (size_t k = c->start[body]; k < c->start[body + 1] && mark; k++)
+        {
+            record[c->member[k]].flags =
+                (uint16_t)((record[c->member[k]].flags & 0xffu) | mark);
+        }
+    }
+}
+
 /* Mark the particles that touch a wall with `absorb yes`. Returns 1 when this rank has marked any. */
 static int mark_absorbed(struct dem_state *state)
 {
@@ -183,6 +212,7 @@ static int mark_absorbed(struct dem_state *state)
             marked = 1;
         }
     }
+    mark_bodies(state);
     return marked;
 }
 
@@ -213,6 +243,7 @@ int dem_neighbor_update(struct dem_state *state, const double *moved, int n, int
     {
         const int checked = dem_flows_due(state);
 
+        DEM_TRY(checked ? dem_flows_count_passages(state, 0.5*state->dt) : DEM_OK);
         DEM_TRY(update_lists(state, moved, n, observed));
         if (checked)
         {

@@ -32,6 +32,7 @@
 #include "records/wall_statistics.h"
 #include "sources/flows.h"
 #include "step/body_window.h"
+#include "step/cell_motion.h"
 #include "step/drift.h"
 #include "step/eddies.h"
 #include "step/limits.h"
@@ -69,6 +70,11 @@ static double drift_particles(struct dem_state *state)
         state->next_drift.done = 0;
         return state->next_drift.max_speed;
     }
+    if (state->cell.active)
+    {
+        return dem_cell_drift(state, state->dt);
+    }
+    dem_clumps_drift(&state->clumps, &state->particles, &state->domain, state->dt);
     dem_drift_particles(state->particles.record, state->particles.n, state->dt, state->domain.round,
                         &speeds);
     return dem_drift_max_speed(&speeds);
@@ -105,6 +111,7 @@ static int check_drift(struct dem_state *state, double max_speed, int status)
 {
     status = dem_unagreed_keep_error(&state->unagreed, status);
     status = status ? status : dem_limits_check_displacements(state, max_speed);
+    status = status || !state->cell.active ? status : dem_cell_check(state);
     status = dem_unagreed_keep_error(&state->unagreed, status);
     dem_timers_end_phase(state->timers, DEM_PHASE_DRIFT);
     return status;
@@ -192,8 +199,9 @@ static struct due what_is_due(const struct dem_state *state, int last)
     due.backup = state->backup.every > 0 &&
                  state->steps >= state->backup.steps + state->backup.every && !last;
     due.fused = !due.backup && !state->energy_balance->open;
-    due.observed = last || state->window.stopped ||
-    dem_grid_averages_due(state->averages, state->time);
+    due.observed = last || state->window.stopped || dem_column(&state->particles, DEM_COLUMN_CLUMP) ||
+    dem_grid_averages_due(state->averages, state->time) ||
+    (state->cell.active && dem_cell_control_due(state));
     return due;
 }
 
@@ -212,7 +220,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *state, const 
         .contacts = &state->contacts,
         .sums_first = !due->fused,
         .unobserved = due->fused && !due->observed,
-        .round = flat ? NULL : state->domain.round,
+        .round = flat || state->cell.active ? NULL : state->domain.round,
         .applied = state->applied_forces.n > 0 ? &state->applied_forces : NULL,
         .time = state->time,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
@@ -231,6 +239,18 @@ static int check_scalars(const struct dem_state *state, const struct dem_body_pa
     }
     snprintf(when, sizeof when, " in step %lld", (long long)state->steps);
     return dem_scalars_check(&state->particles, &state->interaction_table, when);
+}
+
+/* The velocities of rigid bodies, after the kick of the particles. */
+static void kick_clumps(struct dem_state *state, double kick)
+{
+    double gravity[3];
+
+    if (state->clumps.n > 0)
+    {
+        dem_interaction_table_gravity(&state->interaction_table, gravity);
+        dem_clumps_kick(&state->clumps, &state->particles, gravity, kick);
+    }
 }
 
 /* 5. Most particles are summed already, and in a fused step kicked; the pass knows which. */
@@ -268,6 +288,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
         dem_wall_bodies_kick(state, pass->sweep->kick);
     }
     dem_bodies_work_until(pass, state->particles.n);
+    kick_clumps(state, pass->sweep->kick);
     dem_domain_constrain(&state->domain, &state->particles);
     state->next_drift.done = pass->unobserved && pass->sweep->round;
     state->next_drift.max_speed = dem_drift_max_speed(&pass->speeds);
@@ -332,8 +353,14 @@ static void finish_step(struct dem_state *state, double since, int last, int *st
     /* 5. sums, body and fluid forces, kick */
     *status = sum_and_kick(state, &due, &pass, *status);
 
-    /* 6. averages */
+    /* 6. averages; the rates of a cell */
     *status = sample_averages(state, *status);
+    if (state->cell.active && dem_cell_control_due(state))
+    {
+        const int measured = dem_cell_control(state);
+
+        *status = *status ? *status : measured;
+    }
 }
 
 /* Step k of the window, begun at `since` [s]; with a device, also those after it that it makes. *k:
@@ -378,6 +405,7 @@ static void first_kick(struct dem_state *state, double kick)
                                                    ? state->energy_balance
                                                    : NULL,
                              .scalars = scalar_step(state, 0.0)});
+        kick_clumps(state, kick);
     }
     dem_domain_constrain(&state->domain, &state->particles);
     dem_timers_end_phase(state->timers, DEM_PHASE_BODIES);
@@ -427,6 +455,14 @@ static int make_steps(struct dem_state *state)
     return DEM_OK;
 }
 
+/* Particles may have been loaded, restored or removed since the last window. */
+static int index_clumps(struct dem_state *state)
+{
+    return dem_column(&state->particles, DEM_COLUMN_CLUMP)
+               ? dem_agree(state, dem_clumps_index(&state->clumps, &state->particles))
+               : DEM_OK;
+}
+
 int dem_step_window(struct dem_state *state, double dt, int64_t steps)
 {
     /* s  an open window has left velocities ahead by this */
@@ -437,7 +473,8 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
     state->window.start = state->time;
     state->window.steps_before = state->steps;
     state->window.steps = steps;
-    dem_timers_begin_advance(state->timers, state->particles.n, steps);
+    dem_timers_begin_advance(state->timers, state->particles.n);
+    DEM_TRY(index_clumps(state));
     dem_walls_move(&state->walls, state->time, 0.0);
     dem_walls_begin_advance(&state->walls, state->window.length);
     dem_bodies_begin_window(&state->particles, &state->interaction_table.bodies);
@@ -455,7 +492,7 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
 
 int dem_step_continue(struct dem_state *state)
 {
-    dem_timers_begin_advance(state->timers, state->particles.n,
-                             state->window.steps - (state->steps - state->window.steps_before));
+    dem_timers_begin_advance(state->timers, state->particles.n);
+    DEM_TRY(index_clumps(state));
     return make_steps(state);
 }

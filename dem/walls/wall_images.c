@@ -27,16 +27,14 @@
 #include <math.h>
 #include <string.h>
 
-static int whole_number(double n)
+void dem_walls_turns(const struct dem_walls *w, int wall, int turns[3])
 {
-    return (int)fmax(-DEM_WALL_IMAGES, fmin(DEM_WALL_IMAGES, n));
-}
+    const int frame = w->wall[wall].frame;
 
-void dem_walls_image_range(double period, const double extent[2], const double other[2],
-                           int range[2])
-{
-    range[0] = period > 0.0 ? whole_number(ceil((other[0] - extent[1])/period)) : 0;
-    range[1] = period > 0.0 ? whole_number(floor((other[1] - extent[0])/period)) : 0;
+    for (int k = 0; k < 3; k++)
+    {
+        turns[k] = frame < 0 ? 0 : (int)fmod(w->frame[frame].turns[k], DEM_IMAGE_MASK + 1);
+    }
 }
 
 /* ---- facets ---------------------------------------------------------------------------------- */
@@ -221,7 +219,7 @@ int dem_walls_compare_images(struct dem_walls *w)
 static void travel(const struct dem_motion *m, int axis, double range[2])
 {
     const double v = m->velocity[axis], a = fabs(m->amplitude[axis]),
-                 end = v > 0.0 || v < 0.0 ? v*(m->end - m->start) : 0.0;
+                 end = v > 0.0 || v < 0.0 ? v*dem_motion_duration(m) : 0.0;
     const int swings = m->kind == DEM_MOTION_OSCILLATION;
 
     range[0] = swings ? -a : fmin(end, 0.0);
@@ -237,7 +235,7 @@ static void add_to_extent(double at, double extent[2])
 /* A point on its way round: along an axis it is at  middle + A cos(angle) + B sin(angle). */
 static void add_rotating(const struct dem_motion *m, const double x[3], int axis, double extent[2])
 {
-    const double turn = m->omega != 0.0 ? m->omega*(m->end - m->start) : 0.0,
+    const double turn = m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0,
                  whole = 6.28318530717958648;
     double d[3], across[3];
 

@@ -27,9 +27,9 @@
 #define DEM_WALLS_WALLS_H
 
 #include "core/name_index.h"
-#include "particles/periodic_image.h"
 #include "walls/compound_motion.h"
 #include "walls/facet.h"
+#include "walls/facet_image.h"
 #include "walls/wall_drive.h"
 #include "walls/wall_motion.h"
 #include <stddef.h>
@@ -68,8 +68,15 @@ struct dem_wall
     /* 1: the surface slides in itself (conveyor) */
     int driven;
     struct dem_wall_drive drive;
+    /* 1/Pa: coefficient of wear over hardness; 0: wear is not summed */
+    double wear;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
+    /* s: it is there from the first to the second time; the stages that begin then, from 1, or 0 */
+    double there[2];
+    int there_stage[2];
+    /* 1: it is not there now; it has come just now */
+    int absent, came;
     /* one for each particle scalar; NULL: insulated for all */
     struct dem_wall_scalar *scalars;
     /* its index among the outlets, which counts them */
@@ -197,8 +204,8 @@ struct dem_walls
     double path_length;
     /* m: the same since lists were made */
     double since[DEM_MARK_REFERENCES];
-    /* number of walls that absorb particles */
-    int absorbing;
+    /* number of walls that absorb particles; whose wear is summed; that are not there all the time */
+    int absorbing, wearing, passing;
     /* 1: all walls are flat and at rest, none is driven */
     int all_flat_static;
     /* 1: triangles are given on another rank */
@@ -291,37 +298,14 @@ void dem_walls_find_push(struct dem_walls *);
 
 /* ---- periodic images: no effect without periodic axes ----------------------------------------- */
 
-/* Largest number of periods between a triangle and its image that a particle meets. Small, as a plate
-   much larger than the domain has this number of images around each particle, squared. */
-enum
-{
-    DEM_WALL_IMAGES = 2
-};
-
-/* The images [n, n] of an extent that may meet another one [m]: all that meet it; 0 without a period. */
-void dem_walls_image_range(double period, const double extent[2], const double other[2],
-                           int range[2]);
-
 /* The period [m] of the images of triangles with this reference frame, -1: at rest. */
 static inline const double *dem_walls_period(const struct dem_walls *w, int frame)
 {
     return frame < 0 ? w->period : w->frame[frame].period;
 }
 
-/* Where x is when the image that is n periods off is taken back: x itself, or written to `moved`. */
-static inline const double *dem_walls_from_image(const double period[3], const int8_t n[3],
-                                                 const double x[3], double moved[3])
-{
-    if (!(n[0] | n[1] | n[2]))
-    {
-        return x;
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        moved[k] = x[k] - n[k]*period[k];
-    }
-    return moved;
-}
+/* Whole periods taken off a wall's displacement, for the keys of its contacts. */
+void dem_walls_turns(const struct dem_walls *, int wall, int turns[3]);
 
 /* A corner of a triangle at its place in the facet. */
 void dem_walls_place_corner(const struct dem_walls *, const struct dem_triangle *, int k,
@@ -370,6 +354,15 @@ void dem_walls_free_part(struct dem_walls *part);
 /* Bounding box [m] of a triangle at its present position, in the global frame. */
 void dem_walls_triangle_box(const struct dem_walls *, const struct dem_triangle *,
                             double box[2][3]);
+
+/* ---- walls that are not there all the time ---------------------------------------------------- */
+
+/* At this time [s] some walls are there and others not. Returns 1 when one has come or gone:
+   lists must be made anew. */
+int dem_walls_come_and_go(struct dem_walls *, double time);
+
+/* The first time after this one [s] at which a wall comes or goes, as far as it is known; infinite: none. */
+double dem_walls_next_change(const struct dem_walls *, double time);
 
 /* ---- motion: no effect when no wall moves ---------------------------------------------------- */
 
