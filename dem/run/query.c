@@ -329,7 +329,8 @@ void dem_view(const struct dem *d, struct dem_view *v)
                            .flags = &r->flags,
                            .force = dem_column(p, DEM_COLUMN_FORCE),
                            .torque = dem_column(p, DEM_COLUMN_TORQUE),
-                           .orientation = dem_column(p, DEM_COLUMN_ORIENTATION)};
+                           .orientation = dem_column(p, DEM_COLUMN_ORIENTATION),
+                           .clump = dem_column(p, DEM_COLUMN_CLUMP) ? &r->body : NULL};
     memcpy(v->period, d->state.domain.length, sizeof v->period);
 }
 
