@@ -45,6 +45,7 @@ struct edit
     struct listed *listed;                      /* by id */
     const struct dem_new_particle *new;         /* to add; NULL: none */
     struct dem_initial_particles add;           /* the same, checked */
+    int64_t *id;                                /* and their ids */
     const struct dem_particle_changes *change;  /* NULL: none */
     int lists;                                  /* 1: the lists change */
 };
@@ -159,6 +160,12 @@ static int place(const struct dem *d, const char *call, struct dem_particle *q)
                      (long long)q->id, x[0], x[1], x[2]);
 }
 
+/* The first id that no particle has had. */
+static int64_t next_id(const struct dem *d)
+{
+    return d->next_id > d->state.flows->next_id ? d->next_id : d->state.flows->next_id;
+}
+
 static int check_new(struct dem *d, struct edit *e, int64_t k)
 {
     const struct dem_new_particle *const given = &e->new[k];
@@ -176,9 +183,9 @@ static int check_new(struct dem *d, struct edit *e, int64_t k)
     q.flags = given->frozen ? DEM_PARTICLE_FROZEN : 0;
     q.inverse_mass = given->frozen ? 0.0 : q.inverse_mass;
     q.inverse_inertia = given->frozen ? 0.0 : q.inverse_inertia;
-    DEM_REQUIRE(q.id < 0 || q.id >= to->next_id, DEM_ERROR_INPUT,
+    DEM_REQUIRE(q.id < 0 || q.id >= next_id(d), DEM_ERROR_INPUT,
                 "%s: id %lld; the run has had ids up to %lld, and none is used twice: give a larger "
-                "one, or none", e->call, (long long)q.id, (long long)to->next_id - 1);
+                "one, or none", e->call, (long long)q.id, (long long)next_id(d) - 1);
     DEM_TRY(dem_initial_particles_add(to, q, e->call));
     struct dem_particle *const added = &to->particle[to->n - 1];
 
@@ -186,21 +193,17 @@ static int check_new(struct dem *d, struct edit *e, int64_t k)
     return place(d, e->call, added);
 }
 
-/* The first id that no particle has had. */
-static int64_t next_id(const struct dem *d)
-{
-    return d->next_id > d->state.flows->next_id ? d->next_id : d->state.flows->next_id;
-}
-
 static int check_all_new(struct dem *d, struct edit *e)
 {
     e->add.next_id = next_id(d);
     dem_initial_particles_have_scalars(&e->add, &d->state.interaction_table);
+    DEM_TRY(DEM_NEW(e->id, e->n + 1));
     for (int64_t k = 0; k < e->n; k++)
     {
         DEM_TRY(check_new(d, e, k));
+        e->id[k] = e->add.particle[k].id;
     }
-    return DEM_OK;
+    return list_ids(e, e->id);
 }
 
 static int add(struct dem *d, const struct edit *e)
@@ -471,10 +474,11 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_new_particle *n
     status = status ? status : check_all_new(d, &e);
     fesetenv(&caller);
     status = edit(d, &e, status);
-    for (int64_t k = 0; k < n && id && !status; k++)
+    if (id && n > 0 && !status)
     {
-        id[k] = e.add.particle[k].id;
+        memcpy(id, e.id, (size_t)n*sizeof *id);
     }
+    dem_memory_free(e.id);
     dem_initial_particles_free(&e.add);
     return status;
 }

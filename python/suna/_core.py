@@ -98,8 +98,8 @@ class Core:
         the file of this path and read. After an error all is as before."""
         case, run = ffi.new("struct dem_case **"), ffi.new("struct dem **")
         with self.changing() as d:
-            check(lib.dem_save(d, path))
             try:
+                check(lib.dem_save(d, path))
                 check(lib.dem_case_create_fortran(case, -1 if self._comm is None else self._comm.py2f()))
                 describe(case[0])
                 check(lib.dem_case_load(case[0], path))
@@ -243,7 +243,7 @@ class Core:
                 lib.dem_set_stop_flag(d, ffi.NULL)
                 lib.dem_set_force(d, ffi.NULL, ffi.NULL)
             reason = max(asked[0], lib.dem_stopped(d))
-            if self._comm is not None:
+            if self._comm is not None and lib.dem_ranks_agree(d):
                 # it may have been set on one rank in the last step, which the core does not tell others
                 reason = max(self._comm.allgather(reason))
             if reason == FORCE_RAISED and back:

@@ -49,7 +49,7 @@ def of_view(view, name):
 
 class View:
     """Quantities of this rank's particles, without copy and read-only: position, velocity, spin,
-    radius, mass, id, force, torque. It is valid in its `with` block; arrays that are kept longer keep
+    radius, mass, id, force, torque, orientation. It is valid in its `with` block; arrays that are kept longer keep
     their values."""
 
     position: NDArray[numpy.float64]
@@ -60,6 +60,7 @@ class View:
     id: NDArray[numpy.int64]
     force: NDArray[numpy.float64]
     torque: NDArray[numpy.float64]
+    orientation: NDArray[numpy.float64]
 
     def __init__(self, view: Any, lend: Any) -> None:
         self._view, self._lend = view, lend
@@ -78,8 +79,10 @@ class View:
         view = self._open()
         pointer, n, width = getattr(view, name), view.n, WIDTH[name]
         shape = (n, width) if width > 1 else (n,)
-        if n == 0 or pointer == ffi.NULL:
-            return numpy.empty(shape if n == 0 else (0, width))
+        if n == 0:
+            return numpy.empty(shape)
+        if pointer == ffi.NULL:
+            raise SunaError(f"{name} is not kept; create Simulation(..., {name}=True)")
         kind = _kind(pointer)
         strided = name in STRIDED
         block = view.position if strided else pointer
@@ -125,7 +128,7 @@ class Forces:
 
     @force.setter
     def force(self, value: ArrayLike) -> None:
-        self._given["force"] = numbers("force", value, (len(self), 3))
+        self._given["force"] = numpy.array(numbers("force", value, (len(self), 3)))
 
     @property
     def torque(self) -> NDArray[numpy.float64]:
@@ -133,7 +136,7 @@ class Forces:
 
     @torque.setter
     def torque(self, value: ArrayLike) -> None:
-        self._given["torque"] = numbers("torque", value, (len(self), 3))
+        self._given["torque"] = numpy.array(numbers("torque", value, (len(self), 3)))
 
     def _get(self, name):
         if name not in self._given:
