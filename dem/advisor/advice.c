@@ -8,6 +8,26 @@
 #include "core/error.h"
 #include <fenv.h>
 
+/* The paragraphs in order. */
+static int write_plan(struct dem_text *t, struct dem_plan *p)
+{
+    const char *scene;
+
+    DEM_TRY(dem_scene_text(p->d, &scene));
+    dem_text_add(t, "%s", scene);
+    if (p->scene.particles > 0.0)
+    {
+        DEM_TRY(dem_run_cost(p->d, &p->cost));
+    }
+    dem_plan_parcels(t, p);
+    dem_plan_bed(t, p);
+    dem_plan_fluid(t, p);
+    dem_plan_regime(t, p);
+    dem_plan_step(t, p);
+    dem_plan_cost(t, p);
+    return t->status;
+}
+
 int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
 {
     static _Thread_local struct dem_text t;
@@ -18,7 +38,7 @@ int dem_plan(struct dem *d, const struct dem_run_info *run, const char **text)
     feholdexcept(&caller);
     int status = dem_plan_begin(&plan, d, run);
 
-    status = status ? status : dem_plan_write(&t, &plan);
+    status = status ? status : write_plan(&t, &plan);
     fesetenv(&caller);
     *text = t.text;
     return status;

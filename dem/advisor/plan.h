@@ -20,11 +20,8 @@ struct dem_plan    /* data of the paragraphs */
     struct dem *d;
     struct dem_run_info run;
     struct dem_scene_numbers scene;
-    struct dem_run_cost cost;    /* set by dem_plan_write */
+    struct dem_run_cost cost;    /* set by dem_plan */
 };
-
-/* Collective. Measures the cost, writes all paragraphs. Returns DEM_OK or an error. */
-int dem_plan_write(struct dem_text *, struct dem_plan *);
 
 /* the paragraphs */
 void dem_plan_parcels(struct dem_text *, const struct dem_plan *);     /* plan_parcels.c */
@@ -32,7 +29,7 @@ void dem_plan_step(struct dem_text *, const struct dem_plan *);        /* plan_c
 void dem_plan_cost(struct dem_text *, const struct dem_plan *);
 void dem_plan_bed(struct dem_text *, const struct dem_plan *);         /* plan_fluid.c */
 void dem_plan_fluid(struct dem_text *, const struct dem_plan *);
-int dem_plan_regime(struct dem_text *, const struct dem_plan *);       /* regime.c; collective */
+void dem_plan_regime(struct dem_text *, const struct dem_plan *);      /* regime.c */
 
 /* Collective. Asks for the numbers of the scene. */
 int dem_plan_begin(struct dem_plan *, struct dem *, const struct dem_run_info *);

@@ -245,15 +245,7 @@ static void write_verdict(struct dem_text *t, const struct dem_verdict *v)
     static const char *const says[] = {"on and needed", "on but negligible",
                                        "off though the scene calls for it"};
 
-    dem_text_add(t, "    %-18s %s", v->effect, says[v->word]);
-    if (v->word == DEM_NEGLIGIBLE && isfinite(v->cost))
-    {
-        dem_text_add(t,
-                     v->cost < 0.01 ? " (costs less than 1 %% of the run)"
-                                    : " (costs %.0f %% of the run)",
-                     100.0*v->cost);
-    }
-    dem_text_add(t, ": %.2g %% %s", 100.0*v->fraction, v->why);
+    dem_text_add(t, "    %-18s %s: %.2g %% %s", v->effect, says[v->word], 100.0*v->fraction, v->why);
     if (v->replaces)
     {
         dem_text_add(t, "; in place of %s", v->replaces);
@@ -265,17 +257,17 @@ static void write_verdict(struct dem_text *t, const struct dem_verdict *v)
     dem_text_add(t, "\n");
 }
 
-int dem_plan_regime(struct dem_text *t, const struct dem_plan *p)
+void dem_plan_regime(struct dem_text *t, const struct dem_plan *p)
 {
     struct dem_verdicts verdicts;
     struct dem_regime g;
 
     if (p->scene.particles == 0.0)
     {
-        return DEM_OK;
+        return;
     }
     dem_regime_set(p, &g);
-    DEM_TRY(dem_verdicts(p, &g, &verdicts));
+    dem_verdicts(p, &g, &verdicts);
     dem_text_add(t, "Regime (needed: more than 1 %%)\n");
     if (g.fluid)
     {
@@ -288,5 +280,4 @@ int dem_plan_regime(struct dem_text *t, const struct dem_plan *p)
     {
         write_verdict(t, &verdicts.verdict[k]);
     }
-    return DEM_OK;
 }

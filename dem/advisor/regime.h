@@ -31,8 +31,6 @@ struct dem_verdict    /* whether the scene needs one effect */
     const char *effect;           /* its name */
     enum dem_verdict_word word;
     double fraction;              /* 1  its fraction of the quantity that `why` names */
-    double cost;                  /* 1  a negligible effect's fraction of processor time; NaN: not
-                                     measured */
     char why[200];                /* the reason, and the source of the threshold */
     const char *replaces;         /* the effect that a DEM_MISSING one replaces, or NULL */
     const char *missing_setting;  /* the setting that the user must give for it, or NULL */
@@ -47,8 +45,7 @@ struct dem_verdicts
 /* Fills in the numbers that are known. */
 void dem_regime_set(const struct dem_plan *, struct dem_regime *);
 
-/* Collective. A verdict on each effect that is in use, and on each one that is not and is called
-   for; with the measured cost of negligible ones. */
-int dem_verdicts(const struct dem_plan *, const struct dem_regime *, struct dem_verdicts *);
+/* A verdict on each effect that is in use, and on each one that is not and is called for. */
+void dem_verdicts(const struct dem_plan *, const struct dem_regime *, struct dem_verdicts *);
 
 #endif

@@ -41,7 +41,6 @@ static struct dem_verdict *add(struct dem_verdicts *all, const struct dem_effect
                                       : r->fraction > r->threshold ? DEM_NEEDED
                                                                    : DEM_NEGLIGIBLE,
                               .fraction = r->fraction,
-                              .cost = NAN,
                               .missing_setting = effect->in_use ? NULL : r->missing_setting};
     snprintf(v->why, sizeof v->why, "%s", r->quantity);
     return v;
@@ -194,7 +193,7 @@ static void judge(const struct dem_plan *p, const struct dem_regime *g, enum dem
     }
 }
 
-int dem_verdicts(const struct dem_plan *p, const struct dem_regime *g, struct dem_verdicts *all)
+void dem_verdicts(const struct dem_plan *p, const struct dem_regime *g, struct dem_verdicts *all)
 {
     all->n = 0;
     if (g->fluid)
@@ -209,11 +208,4 @@ int dem_verdicts(const struct dem_plan *p, const struct dem_regime *g, struct de
             judge(p, g, m, all);
         }
     }
-    for (int k = 0; k < all->n; k++)
-    {
-        struct dem_verdict *const v = &all->verdict[k];
-
-        DEM_TRY(v->word == DEM_NEGLIGIBLE ? dem_effect_cost(p->d, v->effect, &v->cost) : DEM_OK);
-    }
-    return DEM_OK;
 }

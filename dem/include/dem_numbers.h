@@ -251,10 +251,6 @@ struct dem_run_cost
    of the scene (step/run_cost.c). No particle moves. */
 int dem_run_cost(struct dem *, struct dem_run_cost *);
 
-/* Collective; with particles. *share: the fraction of processor time that an effect takes, measured
-   with and without it; NaN for a normal law, which others need. */
-int dem_effect_cost(struct dem *, const char *effect, double *share);
-
 #ifdef __cplusplus
 }
 #endif

@@ -6,12 +6,12 @@
  *   #define SETS DEM_SETS_KN | DEM_SETS_FN
  *   #include "laws/contact_loop.h"
  *
- * defines apply(settings, batch, history) from struct dem_hertz, dem_hertz_row() and the number of
- * history columns dem_hertz_columns. SETS: the columns that the row function sets. By choice:
+ * defines apply(settings, batch, history) from struct dem_hertz and dem_hertz_row(). SETS: the
+ * columns that the row function sets. By choice:
  *
  *   LOOP     the name of the loop; default: apply
  *   ROW      the row function; default: <LAW>_row
- *   COLUMNS  the number of history columns; default: <LAW>_columns
+ *   COLUMNS  the number of history columns; default: none
  *   SCALARS  the number of particle scalars; default: none
  *   BEFORE   called with settings and batch before the rows; default: nothing
  *
@@ -26,7 +26,7 @@
 #define ROW DEM_JOIN(LAW, _row)
 #endif
 #ifndef COLUMNS
-#define COLUMNS DEM_JOIN(LAW, _columns)
+#define COLUMNS 0
 #endif
 #ifndef SCALARS
 #define SCALARS 0

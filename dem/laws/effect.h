@@ -254,6 +254,13 @@ struct dem_effect
     void (*uniform_acceleration)(const void *settings, double g[3]);
 };
 
+/* For `adhesive`: with any settings. */
+static inline int dem_effect_always(const void *settings)
+{
+    (void)settings;
+    return 1;
+}
+
 /* 1 when a contact effect may act across a gap. */
 static inline int dem_effect_acts_past_touching(const struct dem_effect *e)
 {

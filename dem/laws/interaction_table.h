@@ -239,8 +239,9 @@ int dem_interaction_table_share(const struct dem_interaction_table *,
                                 struct dem_interaction_table *to);
 void dem_interaction_table_unshare(struct dem_interaction_table *);
 
-/* Remove an effect from all effect lists of a shallow copy. Its history columns stay. */
-void dem_interaction_table_remove_effect(struct dem_interaction_table *copy, const char *effect);
+/* `prepare` of an effect for a pair class, or for bodies (NULL); damping, friction and resistance to
+   rolling need a normal law. */
+int dem_effect_prepare(const struct dem_effect *, void *settings, const struct dem_pair_class *);
 
 /* Number of history columns of an effect. */
 int dem_effect_history_columns(const struct dem_effect *);

@@ -86,6 +86,15 @@ static int check_parcels(const struct dem_interaction_table *r, const struct dem
     return DEM_OK;
 }
 
+int dem_effect_prepare(const struct dem_effect *e, void *settings, const struct dem_pair_class *pair)
+{
+    DEM_REQUIRE(e->stage == DEM_STAGE_NORMAL || e->stage > DEM_STAGE_MOMENT || pair->exponent > 0.0,
+                DEM_ERROR_INPUT,
+                "%s between %s and %s: there is no normal law; add one to the effects, hertz for "
+                "example", e->name, pair->a->name, pair->b->name);
+    return e->prepare ? e->prepare(settings, pair) : DEM_OK;
+}
+
 static int append_effect(struct dem_interaction_table *r, struct dem_effect_list *list, int index,
                          int first_column, int a, int b)
 {
@@ -139,8 +148,7 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
     list->needs |= effect->needs;
     list->moments |= effect->stage == DEM_STAGE_MOMENT || effect->stage == DEM_STAGE_BOND;
     list->past_touching |= contact && dem_effect_acts_past_touching(effect);
-    return effect->prepare ? effect->prepare(entry->settings, contact ? &list->pair : NULL)
-                           : DEM_OK;
+    return dem_effect_prepare(effect, entry->settings, contact ? &list->pair : NULL);
 }
 
 void dem_interaction_table_limit_step(struct dem_interaction_table *r, double limit,
@@ -334,47 +342,4 @@ void dem_interaction_table_unshare(struct dem_interaction_table *r)
 {
     dem_memory_free(r->list);
     memset(r, 0, sizeof *r);
-}
-
-static void remove_effect(struct dem_interaction_table *r, struct dem_effect_list *list,
-                          const char *effect)
-{
-    const int entries = list->entries;
-
-    list->entries = 0;
-    list->needs = 0;
-    list->moments = list->past_touching = list->scalars = 0;
-    for (int k = 0; k < entries; k++)
-    {
-        const struct dem_effect_entry entry = list->entry[k];
-
-        if (strcmp(entry.effect->name, effect) != 0)
-        {
-            list->entry[list->entries++] = entry;
-            list->needs |= entry.effect->needs;
-            list->scalars |= entry.scalars > 0;
-            list->moments |=
-                entry.effect->stage == DEM_STAGE_MOMENT || entry.effect->stage == DEM_STAGE_BOND;
-            list->past_touching |= dem_effect_acts_past_touching(entry.effect);
-            r->reach = entry.effect->reach
-                           ? fmax(r->reach, entry.effect->reach(entry.settings, &list->pair))
-                           : r->reach;
-        }
-    }
-    select_kernel(list);
-    r->needs |= list->needs;
-    r->moments |= list->moments;
-    r->past_touching |= list->past_touching;
-}
-
-void dem_interaction_table_remove_effect(struct dem_interaction_table *r, const char *effect)
-{
-    r->needs = 0;
-    r->moments = r->past_touching = 0;
-    r->reach = 0.0;
-    for (int c = 0; c < r->classes; c++)
-    {
-        remove_effect(r, &r->list[c], effect);
-    }
-    remove_effect(r, &r->bodies, effect);
 }

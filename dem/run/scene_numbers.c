@@ -296,16 +296,3 @@ int dem_run_cost(struct dem *d, struct dem_run_cost *cost)
     fesetenv(&caller);
     return status ? status : dem_collect_status(&d->state.decomposition);
 }
-
-int dem_effect_cost(struct dem *d, const char *effect, double *share)
-{
-    struct dem_inventory inventory;
-    fenv_t caller;
-
-    feholdexcept(&caller);
-    dem_inventory_take(&d->state, &inventory);
-    const int status = dem_effect_cost_measure(&d->state, &inventory, d->step, effect, share);
-
-    fesetenv(&caller);
-    return status ? status : dem_collect_status(&d->state.decomposition);
-}

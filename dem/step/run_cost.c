@@ -139,7 +139,7 @@ int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *
                                .candidates = s->rows};
     count_lists(p, s, c);
     count_bytes(p, s, c);
-    int status = dem_sample_block_make(&q, p, s, per_rank < max_block ? per_rank : max_block, NULL);
+    int status = dem_sample_block_make(&q, p, s, per_rank < max_block ? per_rank : max_block);
 
     status = status ? status : time_steps(&q.state, dt, &c->step);
     status = status ? status : time_lists(&q.state, &c->rebuild, &c->prune);

@@ -1,6 +1,5 @@
 /*
- * run_cost.h -- memory of a run by counting bytes; processor time, also of single effects, by running
- * a sample block.
+ * run_cost.h -- memory of a run by counting bytes; processor time by running a sample block.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,9 +14,5 @@
    not changed. dt [s]: time step. Returns DEM_OK or an error. */
 int dem_run_cost_measure(const struct dem_state *, const struct dem_inventory *, double dt,
                          struct dem_run_cost *);
-
-/* Collective. *share: the fraction of processor time that an effect takes (effect_cost.c). */
-int dem_effect_cost_measure(const struct dem_state *, const struct dem_inventory *, double dt,
-                            const char *effect, double *share);
 
 #endif

@@ -66,7 +66,7 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
 }
 
 int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
-                          const struct dem_inventory *s, int64_t max, const char *without)
+                          const struct dem_inventory *s, int64_t max)
 {
     /* touching, with a small overlap */
     const double d = s->all.diameters/(double)s->all.n, a = 0.999*d*2.0/sqrt(3.0);
@@ -91,10 +91,6 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
     }
     dem_domain_finish(&q->domain);
     DEM_TRY(dem_interaction_table_share(&p->interaction_table, &q->interaction_table));
-    if (without)
-    {
-        dem_interaction_table_remove_effect(&q->interaction_table, without);
-    }
     q->limits.limit = 1.0;
     q->max_dt = p->max_dt;
     q->stale = 2;                                         /* no neighbor lists yet */

@@ -21,17 +21,11 @@ struct dem_sample
     struct dem_attached_stores stores;
 };
 
-enum
-{
-    DEM_SAMPLE_SMALL = 8192
-};
-
 /* Builds the block with its neighbor lists: as many spheres as the scene has, at most the largest
-   lattice of up to `max`; `without`: name of an effect to be left out, or
-   NULL. It borrows the interaction table of the scene and must be freed before the scene, also
+   lattice of up to `max`. It borrows the interaction table of the scene and must be freed before the scene, also
    after an error. Returns DEM_OK or an error. */
 int dem_sample_block_make(struct dem_sample *, const struct dem_state *scene,
-                          const struct dem_inventory *, int64_t max, const char *without);
+                          const struct dem_inventory *, int64_t max);
 void dem_sample_block_free(struct dem_sample *);
 
 #endif

@@ -19,6 +19,7 @@
 #ifndef TESTS_EFFECTS_IMPACTS_H
 #define TESTS_EFFECTS_IMPACTS_H
 
+#include "laws/interaction_table.h"
 #include "laws/effects.h"
 #include "unit/tap.h"
 

@@ -66,7 +66,7 @@ static inline void moments_common(struct impacts *w, const struct dem_effect *ef
     TAP_OK(apply_setting(effect, l->settings, &w->pair, name, -0.1) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w->pair.exponent = 0.0;
-    TAP_OK(effect->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_effect_prepare(effect, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN),
            "it is declared as a law of moments that needs the spin");
 }

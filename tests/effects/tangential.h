@@ -196,7 +196,7 @@ static inline void tangential_claims(struct impacts *w, const struct dem_effect 
     TAP_OK(apply_setting(law, l->settings, &w->pair, "friction", -0.1) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w->pair.exponent = 0.0;
-    TAP_OK(law->prepare(l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_effect_prepare(law, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
 }
 
 /*

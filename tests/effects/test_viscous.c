@@ -74,6 +74,6 @@ int main(void)
     TAP_OK(apply_setting(&dem_viscous, l->settings, &w.pair, "coefficient", -1.0) == DEM_ERROR_INPUT, "%s",
            dem_error_text());
     w.pair.exponent = 0.0;
-    TAP_OK(dem_viscous.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
+    TAP_OK(dem_effect_prepare(&dem_viscous, l->settings, &w.pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_DONE;
 }

@@ -206,6 +206,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 
 #define LOOP make
 #define LAW dem_bond_linear
+#define COLUMNS dem_bond_linear_columns
 #define ROW dem_bond_linear_make_row
 #define SETS DEM_SETS_REPLACED | DEM_SETS_LOST
 #include "laws/contact_loop.h"
@@ -308,12 +309,6 @@ static int makes_listed(const void *of)
     return ((const struct dem_bond_linear *)of)->make == DEM_BOND_MAKE_LISTED;
 }
 
-static int adhesive(const void *of)
-{
-    (void)of;
-    return 1;
-}
-
 const struct dem_effect dem_bond_linear = {
     .name = "bondLinear",
     .summary =
@@ -333,5 +328,5 @@ const struct dem_effect dem_bond_linear = {
     .replace_contact = replace_contact,
     .apply = apply,
     .energy = energy,
-    .adhesive = adhesive,
+    .adhesive = dem_effect_always,
 };

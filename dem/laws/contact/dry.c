@@ -43,10 +43,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     struct dem_dry *dry = of;
     const double loss = dem_restitution_loss(dry->restitution);
 
-    DEM_REQUIRE(
-        pair->exponent > 0.0, DEM_ERROR_INPUT,
-        "dry between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
-        pair->a->name, pair->b->name);
     dry->alpha =
         dem_restitution_critical(pair->exponent)*(loss/sqrt(DEM_RESTITUTION_PI2 + loss*loss));
     return DEM_OK;
@@ -55,13 +51,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define LAW dem_dry
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
-
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    dem_restitution_energy(b, e);
-}
 
 const struct dem_effect dem_dry = {
     .name = "dry",
@@ -75,5 +64,5 @@ const struct dem_effect dem_dry = {
     .settings = settings,
     .prepare = prepare,
     .apply = apply,
-    .energy = energy,
+    .energy = dem_restitution_energy,
 };

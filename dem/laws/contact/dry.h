@@ -16,11 +16,6 @@ struct dem_dry
     double alpha;    /* 1  derived */
 };
 
-enum
-{
-    dem_dry_columns = 0
-};
-
 DEM_MATH void dem_dry_row(const struct dem_dry *l, struct dem_contact_row *r, double *history)
 {
     (void)history;

@@ -16,11 +16,6 @@ struct dem_hertz
     double modulus;  /* Pa   4/3 E* or the stiffness, derived */
 };
 
-enum
-{
-    dem_hertz_columns = 0
-};
-
 DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r, double *history)
 {
     (void)history;

@@ -15,11 +15,6 @@ struct dem_hooke
     struct dem_impact_spring spring;                      /* derived */
 };
 
-enum
-{
-    dem_hooke_columns = 0
-};
-
 /* The force, k_n being known. */
 DEM_MATH void dem_hooke_force_row(const struct dem_hooke *l, struct dem_contact_row *r,
                                   double *history)

@@ -94,6 +94,7 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 }
 
 #define LAW dem_hooke_hysteresis
+#define COLUMNS dem_hooke_hysteresis_columns
 #define BEFORE(settings, batch) dem_impact_stiffnesses(&(settings)->spring, batch)
 #define ROW dem_hooke_hysteresis_force_row
 #define SETS DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE

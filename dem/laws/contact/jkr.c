@@ -91,11 +91,13 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 
 #define LOOP set_adhesion
 #define LAW dem_jkr
+#define COLUMNS dem_jkr_columns
 #define ROW dem_jkr_adhesion_row
 #define SETS DEM_SETS_SCRATCH | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
 #define LAW dem_jkr
+#define COLUMNS dem_jkr_columns
 #define SETS DEM_SETS_FN | DEM_SETS_STORED | DEM_SETS_LOST
 #include "laws/contact_loop.h"
 
@@ -158,12 +160,6 @@ static int describe(const void *of, const struct dem_regime *g, char *line, size
     return w > 0.0 && g->weight > 0.0;
 }
 
-static int adhesive(const void *of)
-{
-    (void)of;
-    return 1;
-}
-
 const struct dem_effect dem_jkr = {
     .name = "jkr",
     .summary =
@@ -184,6 +180,6 @@ const struct dem_effect dem_jkr = {
     .energy = energy,
     .relevance = relevance,
     .describe = describe,
-    .adhesive = adhesive,
+    .adhesive = dem_effect_always,
     .mechanism = DEM_MECHANISM_ADHESION,
 };

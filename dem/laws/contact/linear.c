@@ -47,10 +47,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct dem_linear *linear = of;
 
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "linear between %s and %s: there is no normal law; add one to the effects, hooke "
-                "for example",
-                pair->a->name, pair->b->name);
     DEM_TRY(dem_parcels_scale(pair, "linear", "stiffness", 1, &linear->stiffness));
     linear->ratio = linear->stiffness > 0.0 ? 0.0 : linear->ratio;
     return DEM_OK;
@@ -77,6 +73,7 @@ static double previous(const void *of, const struct dem_contact_batch *b,
 }
 
 #define LAW dem_linear
+#define COLUMNS dem_linear_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 

@@ -121,6 +121,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 }
 
 #define LAW dem_liquid_bridge
+#define COLUMNS dem_liquid_bridge_columns
 #define SCALARS 1
 #define SETS DEM_SETS_FN | DEM_SETS_FORCE | DEM_SETS_STORED | DEM_SETS_LOST | DEM_SETS_RATE | \
     DEM_READS_RADII
@@ -153,12 +154,6 @@ static int describe(const void *of, const struct dem_regime *g, char *line, size
     return pull > 0.0 && g->weight > 0.0;
 }
 
-static int adhesive(const void *of)
-{
-    (void)of;
-    return 1;
-}
-
 const struct dem_effect dem_liquid_bridge = {
     .name = "liquidBridge",
     .aliases = "capillary washino/capillary/viscous easo/capillary/viscous",
@@ -180,6 +175,6 @@ const struct dem_effect dem_liquid_bridge = {
     .apply = apply,
     .relevance = relevance,
     .describe = describe,
-    .adhesive = adhesive,
+    .adhesive = dem_effect_always,
     .mechanism = DEM_MECHANISM_ADHESION,
 };

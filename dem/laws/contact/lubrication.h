@@ -22,11 +22,6 @@ enum    /* `contact`: of the film while surfaces touch */
     DEM_LUBRICATION_RESTS
 };
 
-enum
-{
-    dem_lubrication_columns = 0
-};
-
 /* 6 pi mu R*^2 times 1/thickness [kg/s] */
 DEM_MATH double dem_lubrication_damping(double mu, double R, double over_thickness)
 {

@@ -51,9 +51,6 @@ static const char *const history_names[] = {"shear_x", "shear_y", "shear_z", NUL
 
 int dem_mindlin_modulus(const char *law, const struct dem_pair_class *pair, double *modulus)
 {
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "%s between %s and %s: there is no normal law; add one to the effects, hertz for "
-                "example", law, pair->a->name, pair->b->name);
     DEM_REQUIRE(
         pair->reduced_shear > 0.0 && pair->reduced_shear <= DBL_MAX, DEM_ERROR_INPUT,
         "%s between %s and %s: the reduced shear modulus is %g Pa, but must be above 0 and finite; "
@@ -76,6 +73,7 @@ static double previous(const void *of, const struct dem_contact_batch *b,
 }
 
 #define LAW dem_mindlin
+#define COLUMNS dem_mindlin_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 

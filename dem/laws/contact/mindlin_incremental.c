@@ -47,6 +47,7 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 #define LAW dem_mindlin_incremental
+#define COLUMNS dem_mindlin_incremental_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 

@@ -25,12 +25,14 @@ static inline double dem_restitution_loss(double e)
     return e > 0.0 ? 0.0 - dem_log(e) : 1e9;
 }
 
-/* J: dissipated by the dashpot: its force, clamped or not, times the velocity in the middle of
+/* dem_effect.energy: dissipated by the dashpot: its force, clamped or not, times the velocity in the middle of
    the kick, as far as this contact alone changes it: eta v_n (v_n + F_n dt/2 m*) dt. With v_n
    before the kick instead, an impact with e = 0.9 and 20 steps would count 0.5 % too much. */
-static inline void dem_restitution_energy(const struct dem_contact_batch *b,
+static inline void dem_restitution_energy(const void *of, const struct dem_contact_batch *restrict b,
+                                          double *const *before, double *const *history,
                                           struct dem_energy *restrict e)
 {
+    (void)of, (void)before, (void)history;
     for (int c = 0; c < b->n; c++)
     {
         const double mass = b->reduced_mass[c],

@@ -33,27 +33,9 @@ static const struct dem_setting settings[] = {
     {0},
 };
 
-static int prepare(void *of, const struct dem_pair_class *pair)
-{
-    (void)of;
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "rollingConstant between %s and %s: there is no normal law; add one to the "
-                "effects, hertz for "
-                "example", pair->a->name, pair->b->name);
-    return DEM_OK;
-}
-
 #define LAW dem_rolling_constant
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
-
-/* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    dem_rolling_energy(b, e);
-}
 
 const struct dem_effect dem_rolling_constant = {
     .name = "rollingConstant",
@@ -68,9 +50,8 @@ const struct dem_effect dem_rolling_constant = {
     .example = "friction 0.1;",
     .size = sizeof(struct dem_rolling_constant),
     .settings = settings,
-    .prepare = prepare,
     .apply = apply,
-    .energy = energy,
+    .energy = dem_rolling_energy,
     .relevance = dem_rolling_relevance,
     .mechanism = DEM_MECHANISM_ROLLING,
 };

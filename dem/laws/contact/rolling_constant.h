@@ -14,11 +14,6 @@ struct dem_rolling_constant
     double friction;
 };
 
-enum
-{
-    dem_rolling_constant_columns = 0
-};
-
 DEM_MATH void dem_rolling_constant_row(const struct dem_rolling_constant *l,
                                        struct dem_contact_row *r, double *history)
 {

@@ -34,9 +34,12 @@ static inline int dem_rolling_relevance(const void *settings, const struct dem_r
     return settings != NULL;
 }
 
-static inline void dem_rolling_energy(const struct dem_contact_batch *restrict b,
+/* dem_effect.energy */
+static inline void dem_rolling_energy(const void *of, const struct dem_contact_batch *restrict b,
+                                      double *const *before, double *const *history,
                                       struct dem_energy *restrict e)
 {
+    (void)of, (void)before, (void)history;
     for (int c = 0; c < b->n; c++)
     {
         const double power = -(e->mx[c]*b->wx[c] + e->my[c]*b->wy[c] + e->mz[c]*b->wz[c]);

@@ -63,16 +63,13 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 {
     struct dem_rolling_spring *rolling = of;
 
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "rollingSpring between %s and %s: there is no normal law; add one to the effects, "
-                "hertz for "
-                "example", pair->a->name, pair->b->name);
     rolling->ratio = rolling->stiffness > 0.0 ? rolling->stiffness
                                               : 6.0*pair->reduced_shear/pair->reduced_modulus;
     return DEM_OK;
 }
 
 #define LAW dem_rolling_spring
+#define COLUMNS dem_rolling_spring_columns
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 

@@ -35,10 +35,6 @@ static const struct dem_setting settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "rollingViscous between %s and %s: there is no normal law; add one to the effects, "
-                "hertz for "
-                "example", pair->a->name, pair->b->name);
     return dem_parcels_scale(pair, "rollingViscous", "time", 1,
                              &((struct dem_rolling_viscous *)of)->time);
 }
@@ -46,14 +42,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define LAW dem_rolling_viscous
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
-
-/* the moment times the spin in the middle of the kick, as far as the moment alone changes it */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    dem_rolling_energy(b, e);
-}
 
 /* In use: A v/(R mu), fraction of the largest moment of friction on a sphere that rolls at v. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
@@ -79,7 +67,7 @@ const struct dem_effect dem_rolling_viscous = {
     .settings = settings,
     .prepare = prepare,
     .apply = apply,
-    .energy = energy,
+    .energy = dem_rolling_energy,
     .relevance = relevance,
     .mechanism = DEM_MECHANISM_ROLLING,
 };

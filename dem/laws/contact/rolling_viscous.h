@@ -13,11 +13,6 @@ struct dem_rolling_viscous
     double time;
 };
 
-enum
-{
-    dem_rolling_viscous_columns = 0
-};
-
 DEM_MATH void dem_rolling_viscous_row(const struct dem_rolling_viscous *l,
                                       struct dem_contact_row *r, double *history)
 {

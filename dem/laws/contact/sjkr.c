@@ -62,12 +62,6 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     return of != NULL;
 }
 
-static int adhesive(const void *of)
-{
-    (void)of;
-    return 1;
-}
-
 const struct dem_effect dem_sjkr = {
     .name = "sjkr",
     .aliases = "sjkr2 cohesion",
@@ -81,6 +75,6 @@ const struct dem_effect dem_sjkr = {
     .apply = apply,
     .energy = energy,
     .relevance = relevance,
-    .adhesive = adhesive,
+    .adhesive = dem_effect_always,
     .mechanism = DEM_MECHANISM_ADHESION,
 };

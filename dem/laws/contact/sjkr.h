@@ -13,11 +13,6 @@ struct dem_sjkr
     double density;
 };
 
-enum
-{
-    dem_sjkr_columns = 0
-};
-
 DEM_MATH void dem_sjkr_row(const struct dem_sjkr *l, struct dem_contact_row *r, double *history)
 {
     const double scale = 6.28318530717958648*l->density;

@@ -111,10 +111,6 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     struct dem_stokes_damping *stokes = of;
 
     DEM_REQUIRE(
-        pair->exponent > 0.0, DEM_ERROR_INPUT,
-        "stokesDamping between %s and %s: there is no normal law to damp; add one to the effects, hertz for example",
-        pair->a->name, pair->b->name);
-    DEM_REQUIRE(
         stokes->fluid_density == 0.0 || pair->fluid_density == 0.0
             || fabs(stokes->fluid_density - pair->fluid_density) <= 1e-9*pair->fluid_density,
         DEM_ERROR_INPUT,
@@ -135,15 +131,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 }
 
 #define LAW dem_stokes_damping
+#define COLUMNS dem_stokes_damping_columns
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
-
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    dem_restitution_energy(b, e);
-}
 
 static double own_added_mass(const void *of)
 {
@@ -184,7 +174,7 @@ const struct dem_effect dem_stokes_damping = {
     .history = history_names,
     .prepare = prepare,
     .apply = apply,
-    .energy = energy,
+    .energy = dem_restitution_energy,
     .own_added_mass = own_added_mass,
     .relevance = relevance,
     .describe = describe,

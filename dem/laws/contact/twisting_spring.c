@@ -59,16 +59,13 @@ static double torsion_modulus(const struct dem_material *a, const struct dem_mat
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    DEM_REQUIRE(pair->exponent > 0.0, DEM_ERROR_INPUT,
-                "twistingSpring between %s and %s: there is no normal law; add one to the effects, "
-                "hertz for "
-                "example", pair->a->name, pair->b->name);
     ((struct dem_twisting_spring *)of)->ratio =
         4.0*torsion_modulus(pair->a, pair->b)/pair->reduced_modulus;
     return DEM_OK;
 }
 
 #define LAW dem_twisting_spring
+#define COLUMNS dem_twisting_spring_columns
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 

@@ -36,14 +36,8 @@ static const struct dem_setting settings[] = {
 
 static int prepare(void *of, const struct dem_pair_class *pair)
 {
-    struct dem_viscous *const viscous = of;
-
-    DEM_REQUIRE(
-        pair->exponent > 0.0, DEM_ERROR_INPUT,
-        "viscous between %s and %s: there is no normal law to damp; add one to the effects, hooke for example",
-        pair->a->name, pair->b->name);
-    DEM_TRY(dem_parcels_scale(pair, "viscous", "coefficient", 2, &viscous->coefficient));
-    return DEM_OK;
+    return dem_parcels_scale(pair, "viscous", "coefficient", 2,
+                             &((struct dem_viscous *)of)->coefficient);
 }
 
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
@@ -58,13 +52,6 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    dem_restitution_energy(b, e);
-}
-
 const struct dem_effect dem_viscous = {
     .name = "viscous",
     .summary = "viscous damping with a given coefficient, -c v_n",
@@ -77,5 +64,5 @@ const struct dem_effect dem_viscous = {
     .prepare = prepare,
     .time_limit = time_limit,
     .apply = apply,
-    .energy = energy,
+    .energy = dem_restitution_energy,
 };

@@ -15,11 +15,6 @@ struct dem_viscous
     int attraction;
 };
 
-enum
-{
-    dem_viscous_columns = 0
-};
-
 DEM_MATH void dem_viscous_row(const struct dem_viscous *l, struct dem_contact_row *r,
                               double *history)
 {

@@ -39,7 +39,13 @@ struct dem_none
 
 enum
 {
+    /* history columns of laws without history */
     dem_none_columns = 0,
+    dem_hertz_columns = 0,
+    dem_hooke_columns = 0,
+    dem_dry_columns = 0,
+    dem_viscous_columns = 0,
+    dem_rolling_constant_columns = 0,
     dem_none_sets = 0,
     dem_jkr_sets = DEM_SETS_FN | DEM_SETS_STORED | DEM_SETS_LOST
 };

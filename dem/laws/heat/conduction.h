@@ -14,11 +14,6 @@ struct dem_conduction
     double per_radius;    /* 2 k c  [W/(m K)] */
 };
 
-enum
-{
-    dem_conduction_columns = 0
-};
-
 DEM_MATH void dem_conduction_row(const struct dem_conduction *l, struct dem_contact_row *r,
                                  double *history)
 {

@@ -14,11 +14,6 @@ struct dem_friction_heat
     double fraction;    /* of the particle i [1] */
 };
 
-enum
-{
-    dem_friction_heat_columns = 0
-};
-
 DEM_MATH void dem_friction_heat_row(const struct dem_friction_heat *l, struct dem_contact_row *r,
                                     double *history)
 {

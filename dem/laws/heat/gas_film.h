@@ -15,11 +15,6 @@ struct dem_gas_film
     double wall;            /* 1: the class is one with walls */
 };
 
-enum
-{
-    dem_gas_film_columns = 0
-};
-
 #define DEM_GAS_FILM_TWO_PI 6.28318530717958648
 
 struct dem_gas_film_pair    /* l, D^2, and what they are multiplied by: 1/4, 1 at a wall */

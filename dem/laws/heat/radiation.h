@@ -15,11 +15,6 @@ struct dem_radiation
     double wall;             /* 1: the class is one with walls */
 };
 
-enum
-{
-    dem_radiation_columns = 0
-};
-
 /* of Stefan and Boltzmann [W/(m2 K4)]; 4 pi */
 #define DEM_RADIATION_SIGMA 5.670374419e-8
 #define DEM_RADIATION_FOUR_PI 12.5663706143591730
