@@ -250,6 +250,8 @@ struct dem_particle_changes
 {
     const double *position, *velocity, *spin;  /* m, m/s, 1/s  3 each */
     const int *frozen;                         /* 0 or 1 */
+    const double *value;                       /* of the particle scalar of this number */
+    int scalar;
 };
 int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *, int64_t *id);
 int dem_remove_particles(struct dem *, int64_t n, const int64_t *id);

@@ -294,6 +294,24 @@ static void set_motion(struct dem_particle *q, const struct dem_particle_changes
     }
 }
 
+static int check_scalar(const struct dem *d, const struct edit *e, int64_t id, int64_t at)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    const int k = e->change->scalar;
+
+    if (!e->change->value)
+    {
+        return DEM_OK;
+    }
+    DEM_REQUIRE(k >= 0 && k < r->scalars, DEM_ERROR_INPUT, "%s: there is no particle scalar %d; the run "
+                "has %d", e->call, k, r->scalars);
+    DEM_REQUIRE(e->change->value[at] >= r->scalar[k]->min && e->change->value[at] <= r->scalar[k]->max,
+                DEM_ERROR_INPUT, "%s: particle %lld gets %s %g %s; give a number from %g to %g", e->call,
+                (long long)id, r->scalar[k]->name, e->change->value[at], r->scalar[k]->unit,
+                r->scalar[k]->min, r->scalar[k]->max);
+    return DEM_OK;
+}
+
 /* The particle with its changes. */
 static int set_one(const struct dem *d, const struct edit *e, int64_t at, struct dem_particle *q)
 {
@@ -302,6 +320,7 @@ static int set_one(const struct dem *d, const struct edit *e, int64_t at, struct
                 DEM_ERROR_INPUT, "%s: particle %lld gets the velocity (%g %g %g) m/s; give one below "
                 "the speed of light", e->call, (long long)q->id, q->v[0], q->v[1], q->v[2]);
     DEM_TRY(dem_initial_particles_check_spin(e->call, q->w, q->radius));
+    DEM_TRY(check_scalar(d, e, q->id, at));
     set_vector(q->x, e->change->position, at);
     q->flags |= e->change->position ? DEM_PARTICLE_NEW : 0;
     return e->change->position ? place(d, e->call, q) : DEM_OK;
@@ -320,6 +339,15 @@ static void forget_way(struct dem_particles *p, size_t i)
     }
 }
 
+static void set_scalar(const struct dem_particles *p, const struct dem_particle_changes *c, size_t i,
+                       int64_t at)
+{
+    if (c->value)
+    {
+        dem_scalar_values(p, c->scalar)[i] = c->value[at];
+    }
+}
+
 /* write: 0: only check. */
 static int set_listed(struct dem *d, const struct edit *e, int write)
 {
@@ -334,6 +362,7 @@ static int set_listed(struct dem *d, const struct edit *e, int write)
         if (l && write)
         {
             p->record[i] = q;
+            set_scalar(p, e->change, i, l->at);
         }
         if (l && write && e->change->position)
         {

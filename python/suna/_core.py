@@ -173,9 +173,9 @@ class Core:
 
     def _lend(self, block, size):
         """A buffer in the library. Arrays in it hold it, so it lives as long as they do."""
-        buffer = memoryview(ffi.buffer(block, size)).toreadonly()
-        self._lent = [one for one in self._lent if one()] + [weakref.ref(buffer)]
-        return buffer
+        raw = ffi.buffer(block, size)    # numpy holds it, not the memoryview
+        self._lent = [one for one in self._lent if one()] + [weakref.ref(raw)]
+        return memoryview(raw).toreadonly()
 
     def _leave(self, d):
         """Before memory of the library may move or go: arrays in it keep it, the run goes on with

@@ -116,20 +116,14 @@ class Editing(Arrays):
             kind = "int *" if name == "frozen" else "double *"
             setattr(new, name, ffi.cast(kind, array.ctypes.data))
         with self._changing() as d:
-            values = {name: self._scalar_values(d, name, value, n)[1]
-                      for name, value in scalars.items()}
-            check(lib.dem_set_particles(d, n, ffi.from_buffer("int64_t[]", listed), new))
-        for name, wanted in values.items():
-            self._set_scalar_of(name, listed, wanted)
-
-    def _set_scalar_of(self, name, ids, wanted):
-        """A particle scalar of the particles of this rank that have the ids."""
-        own, order = self.id, numpy.argsort(ids)
-        at = numpy.searchsorted(ids[order], own).clip(max=len(ids) - 1)
-        found = ids[order][at] == own if len(ids) else numpy.zeros(len(own), bool)
-        values = self.scalar(name).copy()
-        values[found] = wanted[order][at[found]]
-        self.set_scalar(name, values)
+            values = [self._scalar_values(d, name, value, n) for name, value in scalars.items()]
+            chosen = ffi.from_buffer("int64_t[]", listed)
+            check(lib.dem_set_particles(d, n, chosen, new))
+            for k, wanted in values:
+                one = ffi.new("struct dem_particle_changes *")
+                wanted = numpy.ascontiguousarray(wanted)
+                one.value, one.scalar = ffi.cast("double *", wanted.ctypes.data), k
+                check(lib.dem_set_particles(d, n, chosen, one))
 
 
 def _ids(ids: ArrayLike) -> NDArray[numpy.int64]:

@@ -269,7 +269,7 @@ def texts():
     for name in ("settings", "start", "comm", "energy", "orientation", "virial", "without"):
         for value in ("x\0y", 5, object()):
             refused(lambda: suna.Simulation(SCENE, **{name: value}).setup(), name)
-    refused(lambda: suna.Simulation(SCENE, {"time": {"step": 1e-6}}), "time")
+    assert suna.Simulation(SCENE, {"time": {"step": 1e-6}}).step[0] == 1e-6
     refused(lambda: suna.Simulation(SCENE, {5: 1}), "settings", "5")
     refused(lambda: suna.Simulation(SCENE, energy="no"), "energy", "True or False")
     refused(lambda: sim.orientation, "orientation=True")
