@@ -99,7 +99,7 @@ def blocks(values, number):
 # ---- results -------------------------------------------------------------------------------------
 
 class Result:
-    """Rows of result.csv, which are also those of the table in results.md."""
+    """Rows of result.csv and of the table in results.md."""
 
     def __init__(self):
         self.rows = []

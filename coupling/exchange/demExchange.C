@@ -161,6 +161,10 @@ void Foam::demExchange::begin()
         demSnapshot::exists(particles_.mesh().time())
      && demUnderRelaxation::withoutFactors(fluid_);
 
+    if (fluid_.own_wake)
+    {
+        particles_.transfer().keepOwnWeights();
+    }
     if (particles_.volumeAveraged() && particles_.needsFluid())
     {
         scheme_.checkEffects();

@@ -6,6 +6,7 @@
 
 #include "demOwnWake.H"
 #include "demColumns.H"
+#include "dem_plan.h"
 #include "turbulenceModel.H"
 
 namespace Foam
@@ -52,6 +53,24 @@ static scalar withoutOwn(const scalar sampled, const scalar own)
 static scalar radiusOf(const scalar q)
 {
     return 1/(std::cbrt(q)*std::sqrt(2*pi));
+}
+
+//- Psi: wake at the Reynolds number R of the kernel over the one in creeping flow
+static scalar inertia(const scalar R)
+{
+    return 1/std::sqrt(1 + 0.920*R + 0.282*sqr(R));
+}
+
+
+//- Reynolds number of a sphere that falls alone, by its Archimedes number
+static scalar terminalReynolds(const scalar archimedes)
+{
+    scalar Re = archimedes/18;
+    for (label pass = 0; pass < 50; ++pass)
+    {
+        Re = std::sqrt(Re*archimedes/18/(1 + 0.15*std::pow(Re, 0.687)));
+    }
+    return Re;
 }
 
 } // End namespace Foam
@@ -191,8 +210,7 @@ void Foam::demOwnWake::setWake(const label i, const scalar q, const scalar own)
     const scalar R = reynolds(i, b);
     const scalar chi = structure(1 - e);
     const scalar drag =
-        std::sqrt(std::cbrt(q))*chi*screening(i, e, b)
-       /(std::sqrt(1 + 0.920*R + 0.282*sqr(R))*3*pi*viscosity_[i]*e);
+        std::sqrt(std::cbrt(q))*chi*screening(i, e, b)*inertia(R)/(3*pi*viscosity_[i]*e);
     const scalar displaced = reads_*longitudinal*own*partOfOwn(chi, own)/e;
     const vector slip(this->slip(i));
 
@@ -201,6 +219,40 @@ void Foam::demOwnWake::setWake(const label i, const scalar q, const scalar own)
     {
         column[k] = drag*(0.6*column[3 + k] + 0.4*column[6 + k]) + displaced*slip[k];
     }
+}
+
+
+Foam::scalar Foam::demOwnWake::uncorrected() const
+{
+    if
+    (
+        fluid_.own_wake
+     || !particles_.react()
+     || particles_.dict().effectWith(DEM_TRAIT_VISCOSITY).empty()
+     || particles_.interval() > 0
+     || particles_.mesh().nGeometricD() != 3
+    )
+    {
+        return 0;
+    }
+    const scalarField q(particles_.transfer().findOwnWeights());
+    const scalarField n(grains());
+    scalar sum = 0;
+
+    forAll(q, i)
+    {
+        const scalar V = volume(view_, i)/n[i];
+        const scalar d = std::cbrt(6*V/pi);
+        const scalar rho = fluid_.density[i];
+        const scalar heavier = mag(*dem_at(view_.mass, view_.stride, i)/(n[i]*V) - rho);
+        const scalar Re = terminalReynolds
+        (
+            heavier*rho*mag(particles_.gravity())*pow3(d)/sqr(fluid_.viscosity[i])
+        );
+        const scalar solid = max(1 - fluid_.void_fraction[i] - V*q[i], scalar(0));
+        sum += d*std::cbrt(q[i])*structure(solid)*inertia(Re*radiusOf(q[i])/d);
+    }
+    return returnReduce(sum, sumOp<scalar>())/max(returnReduce(q.size(), sumOp<label>()), 1);
 }
 
 

@@ -8,6 +8,7 @@
 #include "demFiles.H"
 #include "demCheck.H"
 #include "demFluid.H"
+#include "demOwnWake.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "wallFvPatch.H"
@@ -141,6 +142,23 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 }
 
 
+// A particle that is in its own wake is too fast. Collective.
+void Foam::demPlan::ownWakeWarning(DynamicList<string>& warnings) const
+{
+    const scalar excess = demOwnWake(particles_).uncorrected();
+
+    if (excess > 0.03)
+    {
+        warnings.append
+        (
+            "particles that fall alone are some " + name(label(100*excess + 0.5)) + " % too fast:"
+            " they sample fluid that they drag along; give ownWake yes, or a wider kernel, in"
+            " coupling (docs/kernels.md)"
+        );
+    }
+}
+
+
 // Files that the run, or decomposePar, does not read as the user expects
 void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
 {
@@ -186,6 +204,7 @@ void Foam::demPlan::warn(const volVectorField& U, struct ::dem_run_info& ahead) 
     inletWarnings(U, own);
     timeSchemeWarning(own);
     openPatchWarning(own);
+    ownWakeWarning(own);
     filesWarnings(own);
     List<const char*> sentences(own.size());
     const char* text = nullptr;

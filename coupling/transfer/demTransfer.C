@@ -77,7 +77,7 @@ Foam::demTransfer::demTransfer
     width_(0),
     minVoidFraction_(0),
     diameter_(0),
-    knowsOwnWeights_(false)
+    keepsOwnWeights_(false)
 {
     demSlidingInterface::check(mesh);
     if (demWedge::is(mesh))
@@ -141,7 +141,6 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
         build();
     }
     limiter_().clear();
-    knowsOwnWeights_ = false;
     locator_().setPeriods(vector(view.period[0], view.period[1], view.period[2]));
     if (wedge_.valid())
     {
@@ -157,6 +156,10 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
         return outside;
     }
     kernel_().update(view, routing_());
+    if (keepsOwnWeights_)
+    {
+        ownWeights_ = findOwnWeights();
+    }
     updateDamping();
     return outside;
 }
@@ -202,16 +205,12 @@ Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells)
 }
 
 
-const Foam::scalarField& Foam::demTransfer::ownWeights() const
+Foam::tmp<Foam::scalarField> Foam::demTransfer::findOwnWeights() const
 {
-    if (!knowsOwnWeights_)
-    {
-        ownWeights_.setSize(routing_().locations().size());
-        kernel_().ownWeights(routing_().locations(), ownWeights_);
-        routing_().toParticles(ownWeights_);
-        knowsOwnWeights_ = true;
-    }
-    return ownWeights_;
+    tmp<scalarField> tq(new scalarField(routing_().locations().size()));
+    kernel_().ownWeights(routing_().locations(), tq.ref());
+    routing_().toParticles(tq.ref());
+    return tq;
 }
 
 

@@ -76,7 +76,7 @@ static void write_expansion(struct dem_text *t, const struct dem_plan *p,
     dem_text_add(t, "    the inlet's %.4g m/s (superficial) ", U);
     if (e <= 0.0)
     {
-        dem_text_add(t, "is below that of %s: the bed stays packed\n", law);
+        dem_text_add(t, "is below the value of %s: the bed stays packed\n", law);
     }
     else if (e >= 1.0)
     {
@@ -111,7 +111,7 @@ static void write_fluidisation(struct dem_text *t, const struct dem_plan *p,
 
         dem_text_add(t, "    and at %.4g m/s with %s for a bed of void fraction %.4g, %s%s\n",
                      e*u, law, e,
-                     packed > 0.0 ? "that of the particles as they are"
+                     packed > 0.0 ? "of the particles as they are"
                                   : "assumed: the particles are no bed of known section",
                      b->feels_gradient ? "" : " (without pressureGradient: no buoyancy)");
         dem_text_add(t, "    response time %.4g s there\n",

@@ -99,7 +99,7 @@ void dem_accuracy_print(const struct dem_accuracy *a, double step)
     printf("accuracy: target %g %%, ", 100.0*a->target);
     if (step > a->step*(1.0 + 1e-6))
     {
-        printf("NOT met: the step is %.4g s, that of the search was %.4g s\n", step, a->step);
+        printf("NOT met: the step is %.4g s, the step of the search was %.4g s\n", step, a->step);
         return;
     }
     printf("%s: %s, the worst quantity, is within %.3g %% over the %g s of the search\n",

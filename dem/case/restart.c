@@ -46,7 +46,7 @@ static void add_marks(const struct dem *d, struct dem_text *t)
 
     for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
     {
-        if (at[0] == '@')
+        if (at[0] == '@' && strncmp(at, "@wall ", 6) != 0)
         {
             dem_text_add(t, "%.*s\n", (int)(end - at), at);
         }
@@ -83,6 +83,8 @@ int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
     *s = (struct dem_snapshot_scene){.text = NULL};
     int status = write_text(d, &t);
 
+    dem_api_describe_motions(&p->walls, p->time, &t);
+    status = status ? status : t.status;
     s->tail.text = (int64_t)(t.n/8 + 1)*8;    /* ends in a zero */
     s->tail.walls = p->walls.walls;
     s->tail.next_id = d->next_id > p->flows->next_id ? d->next_id : p->flows->next_id;

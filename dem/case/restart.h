@@ -15,6 +15,7 @@
 #define DEM_CASE_RESTART_H
 
 #include "case/dem_case.h"
+#include "core/text.h"
 
 /* Collective, when the particles of the snapshot have been read: read its scene and compare. Keeps of
    the groups and the particles of the program those that are new. */
@@ -26,6 +27,9 @@ int dem_api_insert_new_groups(struct dem_case *);
 /* When the scenes have been compared and before the walls are finished: walls whose form is the same go
    on from where they stood. */
 int dem_api_resume_walls(struct dem_case *);
+
+/* Append the lines of a snapshot's scene text that hold compound motions at a time [s]. */
+void dem_api_describe_motions(const struct dem_walls *, double time, struct dem_text *);
 
 /* New numbers of the facets of the snapshot's walls; the caller frees map->wall. */
 int dem_api_map_facets(struct dem_case *, struct dem_snapshot_facets *);

@@ -7,6 +7,8 @@
 #include "case/restart.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/text.h"
+#include <stdlib.h>
 #include <string.h>
 
 /* The wall of the snapshot with this name, as a rule number k; NULL: none. */
@@ -51,6 +53,95 @@ static int is_same_wall(const struct dem_case *c, const struct dem_wall *of,
                                          : dem_walls_same_form(form, was->form, triangles));
 }
 
+/* ---- compound motions ------------------------------------------------------------------------ */
+
+/* A line of the scene's text for each wall with a compound motion; words of 16 hexadecimal digits: the
+   hash of the motion, the pose of the frame, the state of a body. */
+static const char mark[] = "@wall ";
+
+enum
+{
+    POSE_WORDS = sizeof(struct dem_pose)/sizeof(double),
+    WORDS = POSE_WORDS + DEM_WALL_BODY_WORDS
+};
+
+static void write_words(struct dem_text *t, const void *from, int n)
+{
+    for (int k = 0; k < n; k++)
+    {
+        uint64_t bits;
+
+        memcpy(&bits, (const char *)from + 8*k, sizeof bits);
+        dem_text_add(t, "%016llx ", (unsigned long long)bits);
+    }
+}
+
+void dem_api_describe_motions(const struct dem_walls *w, double time, struct dem_text *t)
+{
+    static const struct dem_wall_body_state none;
+
+    for (int k = 0; k < w->walls; k++)
+    {
+        const int frame = w->wall[k].frame;
+        const struct dem_wall_frame *const f = frame < 0 ? NULL : &w->frame[frame];
+
+        if (f && f->compound)
+        {
+            const uint64_t hash = dem_compound_motion_hash(f->compound);
+
+            struct dem_pose pose;
+
+            dem_wall_frame_pose(f, time, &pose);
+            dem_text_add(t, "%s", mark);
+            write_words(t, &hash, 1);
+            write_words(t, &pose, POSE_WORDS);
+            write_words(t, f->compound->body ? &f->compound->body->state : &none,
+                        DEM_WALL_BODY_WORDS);
+            dem_text_add(t, "%s\n", w->wall[k].name);
+        }
+    }
+}
+
+/* Does a line of the text stand for this wall? Its words go to `was`. */
+static int read_line(const char *line, const char *name, struct dem_wall_before *was)
+{
+    const size_t head = sizeof mark - 1, length = strlen(name);
+    const char *at = line + head;
+    double word[WORDS];
+
+    if (strncmp(line, mark, head) != 0)
+    {
+        return 0;
+    }
+    for (int k = -1; k < WORDS; k++)
+    {
+        char *end;
+        const uint64_t bits = strtoull(at, &end, 16);
+
+        if (end != at + 16 || *end != ' ')
+        {
+            return 0;
+        }
+        memcpy(k < 0 ? (void *)&was->hash : &word[k], &bits, sizeof bits);
+        at = end + 1;
+    }
+    memcpy(&was->stood, word, sizeof was->stood);
+    memcpy(&was->body, word + POSE_WORDS, sizeof was->body);
+    return strncmp(at, name, length) == 0 && at[length] == '\n';
+}
+
+/* The motion of a wall in the snapshot. */
+static struct dem_wall_before find_motion(const char *text, const struct dem_snapshot_wall *w)
+{
+    struct dem_wall_before was = {.motion = w->motion, .base = w->base};
+
+    for (const char *at = text; at && !was.compound; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    {
+        was.compound = read_line(at, w->name, &was);
+    }
+    return was;
+}
+
 int dem_api_resume_walls(struct dem_case *c)
 {
     struct dem_walls *const w = &c->d->state.walls;
@@ -59,9 +150,12 @@ int dem_api_resume_walls(struct dem_case *c)
     {
         const struct dem_snapshot_wall *const was = find_wall(&c->d->before, k, w->wall[k].name);
 
-        DEM_TRY(is_same_wall(c, &w->wall[k], was, 0)
-                    ? dem_walls_resume_motion(w, k, &was->motion, &was->base, c->d->state.time)
-                    : DEM_OK);
+        if (is_same_wall(c, &w->wall[k], was, 0))
+        {
+            const struct dem_wall_before before = find_motion(c->d->before.text, was);
+
+            DEM_TRY(dem_walls_resume_motion(w, k, &before, c->d->state.time));
+        }
     }
     return DEM_OK;
 }

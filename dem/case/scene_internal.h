@@ -16,6 +16,20 @@ int dem_scene_read_interactions(const struct dem_dict *, struct dem_interaction_
 int dem_scene_read_walls(const struct dem_dict *, const struct dem_interaction_table *,
                          struct dem_walls *);
 
+/* A table of quantities over time, from `file` and `interpolation`; its columns besides time. */
+int dem_scene_read_time_table(const struct dem_dict *, const char *const *names, int n,
+                              struct dem_time_table **);
+
+/* The entry axis as a unit vector. */
+int dem_scene_read_direction(const struct dem_dict *, double axis[3]);
+
+/* start and end of a motion [s]. */
+int dem_scene_read_times(const struct dem_dict *, double *start, double *end);
+
+/* A motion by force; *body stays NULL for another type. The caller frees it, also after an error. */
+int dem_scene_read_body(const struct dem_dict *, const char *type, const struct dem_wall *,
+                        struct dem_wall_body **body);
+
 /* motion, surfaceVelocity and surfaceRotation of one wall. */
 int dem_scene_read_motion(struct dem_walls *, int wall, const struct dem_dict *);
 

@@ -6,6 +6,7 @@
 #include "case/scene_internal.h"
 #include "core/error.h"
 #include "core/did_you_mean.h"
+#include "core/memory.h"
 #include "core/vec.h"
 #include <math.h>
 #include <string.h>
@@ -14,17 +15,7 @@
 static int read_axis(const struct dem_dict *dict, double origin[3], double axis[3])
 {
     DEM_TRY(dem_dict_vector(dict, "origin", "m", origin));
-    DEM_TRY(dem_dict_vector(dict, "axis", "1", axis));
-    const double size = dem_vec_norm(axis);
-
-    DEM_REQUIRE(size > 0.0 && isfinite(size), DEM_ERROR_INPUT,
-                "%s: axis (%g %g %g) has no direction; give a vector along it",
-                dem_dict_where(dict), axis[0], axis[1], axis[2]);
-    for (int k = 0; k < 3; k++)
-    {
-        axis[k] /= size;
-    }
-    return DEM_OK;
+    return dem_scene_read_direction(dict, axis);
 }
 
 static int read_omega(const struct dem_dict *dict, double *omega)
@@ -49,23 +40,25 @@ static int read_oscillation(const struct dem_dict *dict, struct dem_motion *m)
     return DEM_OK;
 }
 
-static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
+/* The axis is needed if the angle changes. */
+static int read_table(const struct dem_dict *dict, struct dem_motion_part *p)
 {
-    static const char *const known[] = {"translation", "rotation", "oscillation"};
-    const char *type;
+    static const char *const columns[] = {"x", "y", "z", "angle"};
+    double rate[DEM_TIME_TABLE_COLUMNS];
 
-    DEM_TRY(dem_dict_word(dict, "type", &type));
-    DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, &m->start));
-    m->end = INFINITY;
-    if (dem_dict_has(dict, "end"))
-    {
-        DEM_TRY(dem_dict_number(dict, "end", "s", &m->end));
-    }
-    DEM_REQUIRE(fabs(m->start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
-                "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), m->start,
-                DEM_MOTION_LIMIT);
-    DEM_REQUIRE(m->end > m->start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
-                dem_dict_where(dict), m->end, m->start);
+    p->motion.kind = DEM_MOTION_TABLE;
+    DEM_TRY(dem_scene_read_time_table(dict, columns, 4, &p->table));
+    dem_time_table_rates(p->table, rate);
+    return rate[3] > 0.0 || dem_dict_has(dict, "axis") || dem_dict_has(dict, "origin")
+             ? read_axis(dict, p->motion.origin, p->motion.axis)
+             : DEM_OK;
+}
+
+static int read_formula(const struct dem_dict *dict, const char *type, struct dem_motion *m)
+{
+    static const char *const known[] = {"translation", "rotation", "oscillation", "table",
+                                        "free", "hinge", "servo"};
+
     if (strcmp(type, known[0]) == 0)
     {
         m->kind = DEM_MOTION_TRANSLATION;
@@ -82,8 +75,38 @@ static int read_motion(const struct dem_dict *dict, struct dem_motion *m)
         m->kind = DEM_MOTION_OSCILLATION;
         return read_oscillation(dict, m);
     }
-    return dem_error_prefix(dem_did_you_mean_error("type of motion", type, known, 3),
+    return dem_error_prefix(dem_did_you_mean_error("type of motion", type, known, 7),
                             "%s: ", dem_dict_where(dict));
+}
+
+struct motion_reader
+{
+    const struct dem_wall *wall;
+    struct dem_compound_motion *motion;
+};
+
+/* Append one motion of a wall. */
+static int read_motion(void *context, const struct dem_dict *dict)
+{
+    const struct motion_reader *const r = context;
+    struct dem_compound_motion *const c = r->motion;
+    const char *type;
+
+    DEM_REQUIRE(c->parts < DEM_MOTION_PARTS, DEM_ERROR_INPUT,
+                "%s: a wall has at most %d motions; join some of them in a table",
+                dem_dict_where(dict), DEM_MOTION_PARTS);
+    DEM_REQUIRE(!c->body, DEM_ERROR_INPUT, "%s: a motion by force is the last one of a wall; put it "
+                "behind the others", dem_dict_where(dict));
+    DEM_TRY(dem_dict_word(dict, "type", &type));
+    DEM_TRY(dem_scene_read_body(dict, type, r->wall, &c->body));
+    if (c->body)
+    {
+        return DEM_OK;
+    }
+    struct dem_motion_part *const p = &c->part[c->parts++];
+
+    DEM_TRY(dem_scene_read_times(dict, &p->motion.start, &p->motion.end));
+    return strcmp(type, "table") == 0 ? read_table(dict, p) : read_formula(dict, type, &p->motion);
 }
 
 /* A surface that turns like a solid (omega), or a belt around an axis (speed). */
@@ -120,20 +143,33 @@ static int read_surface_velocity(const struct dem_dict *dict, struct dem_wall *w
     return turn ? read_surface_rotation(turn, wall) : DEM_OK;
 }
 
+/* One formula is a motion of the wall's own; all else is a compound. */
+static int use_motion(struct dem_walls *w, int wall, struct dem_compound_motion *c)
+{
+    if (c->parts != 1 || c->part[0].table || c->body)
+    {
+        return dem_walls_set_compound(w, wall, c);
+    }
+    const int status = dem_walls_set_motion(w, wall, &c->part[0].motion);
+
+    dem_compound_motion_free(c);
+    return status;
+}
+
 int dem_scene_read_motion(struct dem_walls *w, int wall, const struct dem_dict *dict)
 {
-    struct dem_motion motion;
-    const struct dem_dict *sub;
+    struct dem_compound_motion *c;
 
     DEM_TRY(read_surface_velocity(dict, &w->wall[wall]));
-    DEM_TRY(dem_dict_sub_if(dict, "motion", &sub));
-    if (!sub)
-    {
-        return DEM_OK;
-    }
-    memset(&motion, 0, sizeof motion);
-    DEM_TRY(read_motion(sub, &motion));
-    const int status = dem_walls_set_motion(w, wall, &motion);
+    DEM_TRY(DEM_NEW(c, 1));
+    struct motion_reader r = {.wall = &w->wall[wall], .motion = c};
+    const int status = dem_dict_each_item(dict, "motion", read_motion, &r);
 
-    return status ? dem_error_prefix(status, "%s: ", dem_dict_where(sub)) : DEM_OK;
+    if (status || (c->parts == 0 && !c->body))
+    {
+        dem_compound_motion_free(c);
+        return status;
+    }
+    return dem_error_prefix(use_motion(w, wall, c), "%s: %s/motion: ", dem_dict_where(dict),
+                            dem_dict_path(dict));
 }

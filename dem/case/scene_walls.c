@@ -147,6 +147,43 @@ static int read_shape(const struct wall_reader *reader, const struct dem_dict *d
     }
 }
 
+/* Motions of single faces of a box, whose walls begin with `first`:  faces { maxZ { motion ... } } */
+static int read_faces(struct dem_walls *w, const struct dem_dict *dict, int first)
+{
+    static const char *const known[] = {"minX", "minY", "minZ", "maxX", "maxY", "maxZ"};
+    const struct dem_dict *faces;
+
+    DEM_TRY(dem_dict_sub_if(dict, "faces", &faces));
+    for (size_t k = 0; faces && k < dem_dict_count(faces); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(faces, k);
+        int side = 0;
+
+        while (side < 6 && strcmp(dem_entry_name(e), known[side]) != 0)
+        {
+            side++;
+        }
+        if (side == 6)
+        {
+            return dem_error_prefix(dem_did_you_mean_error("face", dem_entry_name(e), known, 6),
+                                    "%s: ", dem_entry_where(e));
+        }
+        DEM_REQUIRE(dem_entry_is_dict(e) && w->wall[first + side].frame < 0, DEM_ERROR_INPUT,
+                    "%s: a face has { motion ... }, unless the whole box moves", dem_entry_where(e));
+        DEM_TRY(dem_scene_read_motion(w, first + side, dem_entry_dict(e)));
+    }
+    return DEM_OK;
+}
+
+/* A box is six walls, and each would be a body of its own. */
+static int check_bodies(const struct dem_walls *w, const struct dem_dict *dict, int first, int end)
+{
+    DEM_REQUIRE(end - first < 2 || !dem_walls_body(w, first), DEM_ERROR_INPUT,
+                "%s: a box is six walls, which a force moves one by one; give the motion to some of its "
+                "faces { maxZ { motion ... } }, or use triangles", dem_dict_where(dict));
+    return DEM_OK;
+}
+
 static int read_wall(void *context, const struct dem_dict *dict)
 {
     const struct wall_reader *const reader = context;
@@ -175,7 +212,8 @@ static int read_wall(void *context, const struct dem_dict *dict)
                     "take out frictionless, or surfaceVelocity and surfaceRotation",
                     dem_dict_where(dict), w->wall[k].name);
     }
-    return DEM_OK;
+    DEM_TRY(check_bodies(w, dict, first, end));
+    return end - first == 6 ? read_faces(w, dict, first) : DEM_OK;
 }
 
 int dem_scene_read_walls(const struct dem_dict *scene, const struct dem_interaction_table *r,

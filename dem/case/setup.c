@@ -28,6 +28,7 @@
 #include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
 #include "step/sweep_contacts.h"
+#include "step/wall_bodies.h"
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -146,7 +147,7 @@ static int distribute(struct dem_case *c)
     DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));
     dem_sum_bond_energies(&p->particles, &p->contacts);
     p->limits.overlap = 0.0;
-    return DEM_OK;
+    return p->walls.bodies > 0 ? dem_wall_bodies_sum(p) : DEM_OK;
 }
 
 static int begin_energy(struct dem *d)

@@ -14,25 +14,63 @@
 #include <float.h>
 #include <math.h>
 
+/* The first wall with a reference frame; all walls when none has it. */
+static int wall_with_frame(const struct dem_walls *w, int frame)
+{
+    int wall = 0;
+
+    while (wall < w->walls && w->wall[wall].frame != frame)
+    {
+        wall++;
+    }
+    return wall;
+}
+
 /* The step resolves oscillations and rotations of walls. */
 static void limit_step_by_walls(struct dem_interaction_table *r, const struct dem_walls *w)
 {
-    const char *why;
+    const char *why = "";
 
     for (int k = 0; k < w->frames && !r->motionless; k++)
     {
-        const double limit = dem_motion_time_limit(&w->frame[k].motion, &why);
-        int wall = 0;
+        const double limit = w->frame[k].compound
+                                 ? dem_compound_motion_time_limit(w->frame[k].compound, &why)
+                                 : dem_motion_time_limit(&w->frame[k].motion, &why);
+        const int wall = wall_with_frame(w, k);
 
-        while (wall < w->walls && w->wall[wall].frame != k)
-        {
-            wall++;
-        }
         if (wall < w->walls)
         {
             dem_interaction_table_limit_step(r, limit, why, w->wall[wall].name);
         }
     }
+}
+
+/* A wall that moves by more than the smallest radius in a step is told before the run. */
+static int check_wall_speeds(const struct dem *d, double radius)
+{
+    const struct dem_walls *const w = &d->state.walls;
+
+    for (int k = 0; k < w->frames; k++)
+    {
+        const int wall = wall_with_frame(w, k);
+
+        if (!w->frame[k].compound || wall == w->walls || !isfinite(radius))
+        {
+            continue;
+        }
+        const struct dem_wall *const of = &w->wall[wall];
+        const double point[2][3] = {{of->point[0], of->point[1], of->point[2]},
+                                    {of->point[0], of->point[1], of->point[2]}};
+        const double speed = dem_compound_motion_speed(
+            w->frame[k].compound, w->frame[k].triangles ? (const double (*)[3])w->frame[k].box : point);
+
+        DEM_REQUIRE(speed*d->step <= radius, DEM_ERROR_INPUT,
+                    "wall %s: its motion reaches %.3g m/s, %.3g m in a step of %.3g s; the limit is "
+                    "%.3g m, the radius of the smallest particle; use a time/step of at most %.3g s, "
+                    "or a slower motion",
+                    of->name, speed, speed*d->step, d->step, radius, radius/speed);
+    }
+    return DEM_OK;
 }
 
 static int choose_step(struct dem *d)
@@ -126,7 +164,8 @@ int dem_api_finish_physics(struct dem *d)
     dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
     status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
     status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);
-    return dem_wall_store_finish(&p->wall_store, status, &p->walls);
+    DEM_TRY(dem_wall_store_finish(&p->wall_store, status, &p->walls));
+    return check_wall_speeds(d, min_radius(d));
 }
 
 /* Diameters that the program may add later. */

@@ -202,8 +202,8 @@ static int under_relaxes(const struct dem_case *c)
 }
 
 /* The groups of columns that an effect reads or writes. A uniform fluid that no body effect
-   reads needs none: contact laws read scalars of it. A coupled program always finds those of the
-   fluid. */
+   reads needs none: contact laws read scalars of it. A coupled program always finds the fluid's
+   columns. */
 static unsigned column_groups(const struct dem_case *c)
 {
     const struct dem *const d = c->d;
@@ -317,7 +317,7 @@ static void resume_window(struct dem_state *p, const struct dem_snapshot_window 
 }
 
 /* A scene that starts from a snapshot (entry `start`) counts its own streams from 0; the ids
-   continue those of the file. */
+   go on behind the file's. */
 int dem_api_begin_flows(struct dem_case *c)
 {
     struct dem *const d = c->d;

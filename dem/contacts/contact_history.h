@@ -20,7 +20,7 @@
 struct dem_facet_key
 {
     int number;
-    uint32_t image;               /* as that of a pair (periodic_image.h), along the axes where a
+    uint32_t image;               /* as in a pair (periodic_image.h), along the axes where a
                                      particle may touch two images of the facet */
 };
 

@@ -45,8 +45,8 @@ struct dem_grid                   /* all zero: empty; its arrays serve the next 
                                                       axis[2] the longest */
     int levels;
     struct dem_grid_level level[DEM_GRID_LEVELS];  /* from the smallest particles up */
-    uint32_t *start;                               /* of each cell's entries, those of the finest
-                                                      level first */
+    uint32_t *start;                               /* of each cell's entries, the finest level
+                                                      first */
     size_t entries;
     float *x, *y, *z, *radius;                     /* m: from the corner, along the axes of the
                                                       grid */

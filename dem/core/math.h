@@ -17,7 +17,7 @@
  *
  * Q (degree 10) and P (degree 6) interpolate (e^r - 1 - r)/r^2 and (2 artanh(s) - 2 s)/s^3 at the
  * Chebyshev nodes of the intervals above; computed in 60 digits, rounded to double. They add 9e-19
- * to the relative error of e^r - 1 and 5e-18 to that of ln(1 + f). ln 2 and log10 2 are cut after
+ * to the relative error of e^r - 1 and 5e-18 to the error of ln(1 + f). ln 2 and log10 2 are cut after
  * 42 binary places, so that k times the upper part is exact.
  *
  * Largest errors found against 113-bit references at 10^6 arguments each (tests/unit/test_math.c

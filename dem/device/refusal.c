@@ -47,7 +47,8 @@ static int refuse_walls(const struct dem_walls *walls, char *why, size_t size)
 {
     for (int k = 0; k < walls->walls; k++)
     {
-        const char *const reason = wall_reason(&walls->wall[k]);
+        const char *const reason = dem_walls_body(walls, k) ? "is moved by force"
+                                                            : wall_reason(&walls->wall[k]);
 
         if (reason)
         {

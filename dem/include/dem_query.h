@@ -103,8 +103,22 @@ int dem_wall_load(struct dem *, int wall, double force[3], double torque[3]);
 int dem_wall_impulse_reset(struct dem *);
 int dem_wall_impulse(struct dem *, int wall, double impulse[3], double angular_impulse[3]);
 
+/* Collective. Work [J] of a wall on the particles since then; 0 for a wall at rest. The axis [unit],
+   through `origin` [m], about which a wall or its surface turns: returns 0, and the z axis, for a wall
+   without one that is fixed in space. */
+int dem_wall_work(struct dem *, int wall, double *work);
+int dem_wall_axis(const struct dem *, int wall, double origin[3], double axis[3]);
+
 /* Number of triangles of a wall, and whether it moves; zeros for a number that no wall has. */
 void dem_wall_info(const struct dem *, int wall, struct dem_wall_info *);
+
+/* Where a wall is; the identity for a number that no wall has. */
+void dem_wall_position(const struct dem *, int wall, struct dem_wall_position *);
+
+/* Set the load of a wall that is moved by force, from now on and in place of the scene's: force [N] of a
+   free wall, torque [N m] of a hinge in load[0], force [N] or pressure [Pa] of a servo in load[0]. All
+   ranks give the same. A snapshot does not hold it. */
+int dem_wall_set_load(struct dem *, const char *name, const double load[3]);
 
 /* Collective. Write the present corners of a wall's triangles [m], 9 numbers each, into an array of
    9*dem_wall_info.triangles numbers of the first rank; other ranks may give NULL. The order is

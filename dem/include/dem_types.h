@@ -225,6 +225,14 @@ struct dem_wall_info
     int moves;              /* 1: it has a motion */
 };
 
+/* of any wall: dem_wall_position */
+struct dem_wall_position
+{
+    double rotation[3][3], shift[3];    /* 1, m  what was given at X is at rotation X + shift */
+    int axes;                           /* moved by force: its free axes, 1 for a hinge; else 0 */
+    double moved[3], velocity[3];       /* m, m/s along these axes; rad, rad/s for a hinge */
+};
+
 /* ---- particles ------------------------------------------------------------------------------- */
 
 /* the particles that this rank owns: dem_view. Valid until the next collective call. Particle k of

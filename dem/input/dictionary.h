@@ -42,7 +42,7 @@ struct dem_entry;
 int dem_dict_read_file(struct dem_dict **d, const char *path);
 int dem_dict_read_text(struct dem_dict **d, const char *text, const char *name);
 
-/* Set one entry: `path` is its name with those of the dictionaries around it, "effects/dry/restitution",
+/* Set one entry: `path` is its name behind the names of the dictionaries around it, "effects/dry/restitution",
    which are made where they are missing; `value` a value or { entries }. An entry of this name is
    replaced, a dictionary is merged. The path is the file name in messages. After an error free the
    tree. */
@@ -115,6 +115,10 @@ const char *dem_entry_token(const struct dem_entry *e, size_t i);
    d/name does not exist. Stops at the first failure and returns its status. */
 int dem_dict_each(const struct dem_dict *d, const char *name,
                   int (*read)(void *, const struct dem_dict *), void *context);
+
+/* The same for d/name that is a dictionary, or a list ( {...} {...} ) of some. */
+int dem_dict_each_item(const struct dem_dict *d, const char *name,
+                       int (*read)(void *, const struct dem_dict *), void *context);
 
 /* Append a line for each entry of these sections: its path and its value, a long value as its hash; a
    dictionary has a line with {}. Marks nothing as read. */

@@ -82,6 +82,27 @@ int dem_dict_each(const struct dem_dict *d, const char *name,
     return DEM_OK;
 }
 
+int dem_dict_each_item(const struct dem_dict *d, const char *name,
+                       int (*read)(void *, const struct dem_dict *), void *context)
+{
+    const struct dem_entry *const e = dem_dict_find(d, name, strlen(name));
+
+    dem_dict_add_known_name(d, name);
+    if (!e || e->dict)
+    {
+        return e ? read(context, dem_entry_dict(e)) : DEM_OK;
+    }
+    mark(e);
+    DEM_REQUIRE(e->items > 0 && e->count == e->items + 2, DEM_ERROR_INPUT,
+                "%s: %s is a dictionary, or a list of some; write %s { ... } or %s ( { ... } "
+                "{ ... } )", dem_entry_where(e), name, name, name);
+    for (size_t k = 1; k + 1 < e->count; k++)
+    {
+        DEM_TRY(read(context, e->tokens[k].dict));
+    }
+    return DEM_OK;
+}
+
 bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const char *name)
 {
     const struct dem_entry *const e = dem_dict_find(d, within, strlen(within));

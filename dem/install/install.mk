@@ -66,7 +66,7 @@ install: stage
 	$(call say,install,$(DESTDIR)$(PREFIX))
 	$Qumask 022 && mkdir -p $(DESTDIR)/ && cp -R --remove-destination $(STAGE)/. $(DESTDIR)/
 
-# folders of ours go, those of others stay
+# our folders go, others stay
 uninstall: stage
 	$(call say,uninstall,$(DESTDIR)$(PREFIX))
 	$Qcd $(STAGE) && find . ! -type d | while read -r file; do rm -f "$(DESTDIR)/$$file"; done

@@ -108,7 +108,7 @@ enum dem_column_name
     DEM_COLUMN_OTHER_IMPULSE,            /* N s  of this window, of forces that react */
     DEM_COLUMN_ANGULAR_IMPULSE,          /* N m s  of this window, of rotational drag */
     DEM_COLUMN_LOST_ENERGY,              /* J    dissipated so far by bonds and films: half
-                                            of that of a pair, all of that of a wall */
+                                            the loss of a pair, all of a wall's */
     DEM_COLUMN_BROKEN_BONDS,             /* 1    bonds broken so far, counted likewise */
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see particles/orientation.h */
     DEM_COLUMN_CHECKED_POSITION,         /* m, 1 4: at the last check of outlets

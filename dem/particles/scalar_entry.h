@@ -29,7 +29,7 @@ int dem_scalar_entries_read(const struct dem_dict *, const struct dem_interactio
 int dem_scalar_require(const struct dem_interaction_table *, int scalar, double value,
                        const char *where);
 
-/* The ratio of the parcels of a group or stream, by which its diameters, those of grains, are
+/* The ratio of the parcels of a group or stream, by which its diameters (of grains) are
    multiplied; 1 in a scene without parcels. */
 int dem_scalar_entries_parcel_ratio(const struct dem_interaction_table *,
                                     const struct dem_scalar_entry entry[DEM_SCALARS],

@@ -129,8 +129,8 @@ void dem_scalars_begin_particle(struct dem_particles *p, const struct dem_intera
     }
 }
 
-/* R = clamp(|J|/|s* - s(start)|, C (1 - decay), sum of B h), s* the mean target: as that of momentum
-   to the fluid's velocity. */
+/* R = clamp(|J|/|s* - s(start)|, C (1 - decay), sum of B h), s* the mean target: as the response of
+   momentum to the fluid's velocity. */
 static void respond(struct dem_particles *p, const struct dem_interaction_table *r, int k)
 {
     const double *const time = dem_scalar_exchange_values(p, r, k, DEM_SCALAR_TIME),

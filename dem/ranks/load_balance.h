@@ -40,7 +40,7 @@ void dem_load_balance_count(struct dem_load_balance *, size_t particles,
    again. */
 int dem_load_balance_pays(struct dem_load_balance *, const struct dem_decomposition *);
 
-/* Set the weights of the owned particles from the present lists; keep those of particles order[0 ..
+/* Set the weights of the owned particles from the present lists; keep the weights of particles order[0 ..
    count) when the others are removed. */
 int dem_load_balance_set_weights(struct dem_load_balance *, const struct dem_particles *,
                                  const struct dem_contacts *);

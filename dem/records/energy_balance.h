@@ -17,6 +17,8 @@
  *   gravity m g times the displacement of the particles: wrapping at periodic faces does no work.
  *   walls   force on the particle times the velocity of the wall's surface, half of it with the
  *           forces before the drift.
+ *           The work on walls that are moved by force stays in the system: these have kinetic energy,
+ *           and their given forces and damping do work (walls/wall_body.h).
  *   kick    body forces except gravity: force times the mean of the velocities before and after,
  *           which is exact. For drag, impulse times u is work of the fluid, impulse times (u - v)
  *           is lost.
@@ -59,6 +61,8 @@ enum dem_energy_balance_sum                                       /* of each eff
     DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
     DEM_ENERGY_BALANCE_APPLIED,  /* J  work of the scene's forces on chosen particles */
     DEM_ENERGY_BALANCE_DRIVEN,   /* J  work of what moves driven particles */
+    DEM_ENERGY_BALANCE_LOADS,    /* J  work of given forces on walls that are moved by force */
+    DEM_ENERGY_BALANCE_LOST_WALLS,  /* J  in their damping and at their stops */
     DEM_ENERGY_BALANCE_CONTENT,  /* J  heat content at the start, negative */
     DEM_ENERGY_BALANCE_HEATED,   /* J  dissipated in contacts whose heat partners receive */
     DEM_ENERGY_BALANCE_HEAT_WALLS,   /* J  heat from walls */
@@ -70,7 +74,7 @@ enum dem_energy_balance_sum                                       /* of each eff
 
 enum
 {
-    DEM_ENERGY_BALANCE_ITEMS = 19 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+    DEM_ENERGY_BALANCE_ITEMS = 22 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
 };
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */

@@ -174,6 +174,26 @@ static double report_heat(struct dem_state *p)
     return gain - heated - walls - bodies + left - came;
 }
 
+/* The energy of walls that are moved by force, what they lost, less the work of their loads. */
+static double report_bodies_of_walls(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    const double loads = value_of(p, &l->sum[DEM_ENERGY_BALANCE_LOADS]),
+                 lost = value_of(p, &l->sum[DEM_ENERGY_BALANCE_LOST_WALLS]);
+    double kinetic = 0.0;
+
+    for (int k = 0; k < p->walls.walls; k++)
+    {
+        const struct dem_wall_body *const b = dem_walls_body(&p->walls, k);
+
+        kinetic += b ? dem_wall_body_kinetic(b) : 0.0;
+    }
+    add_term(l, "kinetic_walls", "", kinetic);
+    add_term(l, "lost_walls", "", lost);
+    add_term(l, "work_loads", "", loads);
+    return kinetic + lost - loads;
+}
+
 static double report_all(struct dem_state *p)
 {
     struct dem_energy_balance *const l = p->energy_balance;
@@ -204,6 +224,10 @@ static double report_all(struct dem_state *p)
     if (!p->walls.all_flat_static)
     {
         add_term(l, "work_walls", "", walls);
+    }
+    if (p->walls.bodies > 0)
+    {
+        total += report_bodies_of_walls(p);
     }
     if (l->driven)
     {

@@ -18,8 +18,8 @@
 #include "core/vec.h"
 #include "particles/scalars.h"
 #include "records/energy_balance.h"
+#include "records/wall_statistics.h"
 #include "ranks/dem_state.h"
-#include "walls/wall_surface.h"
 #include <math.h>
 #include <string.h>
 
@@ -42,7 +42,6 @@ static void gravity_work(struct dem_state *p, double dt)
 static void wall_work(struct dem_state *p, double span, int ahead)
 {
     const struct dem_contacts *const c = &p->contacts;
-    struct dem_wall_surface wall;
 
     for (int s = 0; s < c->rows.classes && c->rows.n > 0 && !p->walls.all_flat_static; s++)
     {
@@ -52,23 +51,8 @@ static void wall_work(struct dem_state *p, double span, int ahead)
 
         for (uint32_t r = first; r < end; r++)
         {
-            const struct dem_pair *const q = dem_contacts_pair(c, r);
-            const double *const f = dem_contacts_wall_force(c, r)->f;
-            const struct dem_wall_touch *const at = &p->touches.touch[q->j];
-            const int facet = dem_pairs_facet(&p->pairs, q->j);
-
-            dem_wall_surface_motion(&p->walls, facet, at, ahead, &wall);
-            if (dem_wall_surface_follows_mesh(&p->walls, facet))
-            {
-                dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j,
-                                                 p->particles.record[q->i].x, at, p->dt, &wall);
-            }
-            const double turning = c->forces.moments ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m,
-                                                                   wall.spin)
-                                                     : 0.0;
-            const double power = dem_vec_dot(f, wall.velocity) + turning;
-
-            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS], power*span);
+            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS],
+                                   dem_wall_statistics_power(p, r, ahead)*span);
         }
     }
 }

@@ -37,7 +37,11 @@ struct dem_snapshot_wall dem_snapshot_scene_wall(const struct dem_walls *w, int 
     {
         const struct dem_wall_frame *const f = &w->frame[of->frame];
 
-        memcpy(&record.motion, &f->motion, sizeof record.motion);
+        /* what a compound motion is stands in the text (case/restart_walls.c) */
+        if (!f->compound)
+        {
+            memcpy(&record.motion, &f->motion, sizeof record.motion);
+        }
         record.base = f->base;
     }
     return record;

@@ -24,7 +24,7 @@ enum
 };
 
 /* End an interval that began at the last reading, and begin the next one. `measured`: read the
-   processor clock, too. Between two such readings in succession the processor time is that of the
+   processor clock, too. Between two such readings in succession the processor time belongs to the
    phase; otherwise it is distributed later. */
 static void end_interval(struct dem_timers *t, double *spent, int phase, int measured)
 {

@@ -223,6 +223,15 @@ void dem_totals_wall_impulse(const struct dem_state *p, int wall, double impulse
     memcpy(twist, value + 3, 3*sizeof *twist);
 }
 
+double dem_totals_wall_work(const struct dem_state *p, int wall)
+{
+    struct dem_sum sum = p->wall_statistics->work[wall];
+    double value;
+
+    dem_totals_reduce_sums(p, &sum, 1, &value);
+    return value;
+}
+
 /* ---- fingerprint ----------------------------------------------------------------------------- */
 
 uint64_t dem_totals_fingerprint(const struct dem_state *p)

@@ -50,6 +50,9 @@ void dem_totals_wall_force(const struct dem_state *, int wall, double force[3], 
 void dem_totals_wall_impulse(const struct dem_state *, int wall, double impulse[3],
                              double twist[3]);
 
+/* Collective. Work [J] of a wall on particles since then. */
+double dem_totals_wall_work(const struct dem_state *, int wall);
+
 /* Collective. Hash of ids, positions, velocities, spins and of the whole contact history. */
 uint64_t dem_totals_fingerprint(const struct dem_state *);
 

@@ -8,12 +8,14 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "ranks/dem_state.h"
+#include "walls/wall_surface.h"
 #include <string.h>
 
 void dem_wall_statistics_free(struct dem_wall_statistics *b)
 {
     dem_memory_free(b->sum);
     dem_memory_free(b->saved);
+    dem_memory_free(b->work);
     memset(b, 0, sizeof *b);
 }
 
@@ -22,11 +24,13 @@ int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
     if (!b->sum)
     {
         DEM_TRY(DEM_NEW(b->sum, walls + 1));
+        DEM_TRY(DEM_NEW(b->work, walls + 1));
         b->walls = walls;
     }
     for (int k = 0; k < walls; k++)
     {
         dem_binned_sum_clear(&b->sum[k]);
+        dem_sum_clear(&b->work[k]);
     }
     return DEM_OK;
 }
@@ -97,6 +101,51 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
         if (p->interaction_table.list[s].pair.with_wall)
         {
             sum_segment(p, &rows->segment[s], wall, factor, sum);
+        }
+    }
+}
+
+double dem_wall_statistics_power(const struct dem_state *p, uint32_t r, int ahead)
+{
+    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_pair *const q = dem_contacts_pair(c, r);
+    const double *const f = dem_contacts_wall_force(c, r)->f;
+    const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+    const int facet = dem_pairs_facet(&p->pairs, q->j);
+    struct dem_wall_surface wall;
+
+    dem_wall_surface_motion(&p->walls, facet, at, ahead, &wall);
+    if (dem_wall_surface_follows_mesh(&p->walls, facet))
+    {
+        dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j,
+                                         p->particles.record[q->i].x, at, p->dt, &wall);
+    }
+    const double turning =
+        c->forces.moments ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m, wall.spin) : 0.0;
+
+    return dem_vec_dot(f, wall.velocity) + turning;
+}
+
+void dem_wall_statistics_add_work(struct dem_state *p, double span, int ahead)
+{
+    const struct dem_contact_rows *const rows = &p->contacts.rows;
+    const int wanted = p->wall_statistics->sum && !p->walls.all_flat_static && rows->n > 0;
+
+    for (int s = 0; s < rows->classes && wanted; s++)
+    {
+        const struct dem_segment *const at = &rows->segment[s];
+        const uint32_t end =
+            at->first + (p->interaction_table.list[s].pair.with_wall ? at->count : 0);
+
+        for (uint32_t r = at->first; r < end; r++)
+        {
+            const int facet = dem_pairs_facet(&p->pairs, dem_contacts_pair(&p->contacts, r)->j);
+            const double power = dem_wall_statistics_power(p, r, ahead);
+
+            if (power != 0.0)
+            {
+                dem_sum_add(&p->wall_statistics->work[p->walls.facet[facet].wall], power*span);
+            }
         }
     }
 }

@@ -5,6 +5,7 @@
  * With the weights of the kicks (half a step at both ends of a window) the impulse on the walls
  * equals what the particles have lost by them, to round-off. Only the first half kick after a
  * restart is missing: a snapshot holds the force on each particle, but not which wall exerted it.
+ * The work on the particles is the mean of the forces before and after a drift times the drift.
  * Sums are exact, so they do not depend on ranks and order.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -20,6 +21,7 @@ struct dem_wall_statistics
 {
     struct dem_binned_sum *sum;    /* per wall: N s, N m s about the origin; NULL: not asked for */
     int walls;
+    struct dem_sum *work;          /* per wall: J on particles */
     struct dem_binned_sum *saved;  /* N, N m: saved force of the last sweep,
                                      its rows are gone; NULL: rows exist */
 };
@@ -37,6 +39,14 @@ int dem_wall_statistics_save_forces(struct dem_state *);
 
 /* The state has been restored from a backup: drop the saved forces. */
 void dem_wall_statistics_drop_forces(struct dem_wall_statistics *);
+
+/* Power [W] of a wall on the particle of a contact row, with the force of the last sweep and the velocity
+   of the surface in the last step; ahead = 1: after the drift that follows the sweep. */
+double dem_wall_statistics_power(const struct dem_state *, uint32_t row, int ahead);
+
+/* Add the work with the forces of the last sweep over the time `span` [s] of the drift behind it, or with
+   ahead = 1 of the drift after it, in which the walls have already moved. */
+void dem_wall_statistics_add_work(struct dem_state *, double span, int ahead);
 
 /* Add the force and torque of the last sweep on one wall (-1: on each of all walls), times
    `factor`, to the sums of the wall; flush them before they are read. */

@@ -17,6 +17,7 @@
 #include "step/fall_check.h"
 #include "step/step.h"
 #include "step/step_backup.h"
+#include "step/wall_bodies.h"
 #include <fenv.h>
 #include <math.h>
 #include <string.h>
@@ -33,6 +34,9 @@ static int check_fluid(const struct dem *d)
     DEM_REQUIRE(!(d->coupled && d->state.applied_forces.n > 0), DEM_ERROR_INPUT,
                 "the scene has forces, which the balances of a coupled run do not know; remove "
                 "forces, or run the scene by itself");
+    DEM_REQUIRE(!(d->coupled && d->state.walls.bodies > 0), DEM_ERROR_INPUT,
+                "a wall is moved by force, to which the fluid does not add its own; give it a motion in "
+                "time, or run the scene by itself");
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->flow_on_request
                     || d->state.flows->plan->streams == 0,
                 DEM_ERROR_STATE,
@@ -220,6 +224,7 @@ int dem_restore(struct dem *d, double *time)
     dem_flows_restore(p->flows);
     dem_wall_statistics_drop_forces(p->wall_statistics);
     dem_walls_rewind(&p->walls);
+    dem_wall_bodies_restore(&p->walls);
     dem_unagreed_reset(&p->unagreed);
     d->restored = 1;
     d->failed = 0;

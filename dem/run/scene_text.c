@@ -233,7 +233,8 @@ static void write_triangles(struct dem_text *t, const struct dem_walls *w, int w
 static void write_walls(struct dem_text *t, const struct dem_state *p)
 {
     static const char *const shape[] = {"", "plane", "cylinder", "sphere"};
-    static const char *const moves[] = {"", ", translates", ", turns", ", oscillates"};
+    static const char *const moves[] = {"", ", translates", ", turns", ", oscillates", "",
+                                        ", moves"};
     const struct dem_walls *const w = &p->walls;
 
     dem_text_add(t, "Walls\n");
@@ -250,7 +251,9 @@ static void write_walls(struct dem_text *t, const struct dem_state *p)
             dem_text_add(t, "    %-18s %s", of->name, shape[of->shape]);
         }
         dem_text_add(t, ", %s%s%s\n", p->interaction_table.material[of->material].name,
-                     of->frame < 0 ? "" : moves[w->frame[of->frame].motion.kind],
+                     of->frame < 0          ? ""
+                     : dem_walls_body(w, k) ? ", moved by force"
+                                            : moves[w->frame[of->frame].motion.kind],
                      of->driven ? ", with a surface velocity" : "");
     }
     if (w->walls == 0)

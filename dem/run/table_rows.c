@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/text.h"
+#include "core/vec.h"
 
 static int append(const struct dem_table *table, const struct dem *d, const char *columns,
                   struct dem_text *rows)
@@ -107,6 +108,27 @@ int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now
 
 /* ---- walls ----------------------------------------------------------------------------------- */
 
+/* Work in the interval, mean power, mean torque about the wall's axis, position and speed of a wall that
+   is moved by force. */
+static int measure_motion(struct dem *d, int wall, double elapsed, const double *impulse,
+                          struct dem_text *t)
+{
+    struct dem_wall_position at;
+    double origin[3], axis[3], work, moment[3];
+
+    DEM_TRY(dem_wall_work(d, wall, &work));
+    const int turns = dem_wall_axis(d, wall, origin, axis);
+
+    dem_vec_cross(origin, impulse, moment);
+    const double torque =
+        turns ? (dem_vec_dot(axis, impulse + 3) - dem_vec_dot(axis, moment))/elapsed : 0.0;
+
+    dem_wall_position(d, wall, &at);
+    dem_text_add(t, ",%.9g,%.9g,%.9g,%.9g,%.9g", work, work/elapsed, torque, at.moved[0],
+                 at.velocity[0]);
+    return DEM_OK;
+}
+
 static int measure_walls(struct dem *d, double now, double elapsed, struct dem_text *t)
 {
     for (int w = 0; w < dem_wall_count(d); w++)
@@ -120,6 +142,7 @@ static int measure_walls(struct dem *d, double now, double elapsed, struct dem_t
         {
             dem_text_add(t, ",%.9g", k < 6 ? value[k]/elapsed : value[k]);
         }
+        DEM_TRY(measure_motion(d, w, elapsed, value, t));
         dem_text_add(t, "\n");
     }
     return dem_wall_impulse_reset(d);
@@ -137,7 +160,8 @@ int dem_table_add_walls(const struct dem_table *table, struct dem *d, double now
     }
     return append(table, d,
                   "time[s],wall,fx[N],fy[N],fz[N],tx[Nm],ty[Nm],tz[Nm],fx_now[N],fy_now[N],"
-                  "fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm]",
+                  "fz_now[N],tx_now[Nm],ty_now[Nm],tz_now[Nm],"
+                  "work[J],power[W],axial_torque[Nm],moved,speed",
                   &t);
 }
 

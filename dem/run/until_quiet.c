@@ -87,6 +87,26 @@ static int balanced(const struct dem_quiet *q, const struct dem_totals *t)
             && dem_vec_norm(net) <= q->imbalance*t->weight*(t->time - q->tested));
 }
 
+/* 1 when a wall that is moved by force has more energy than a particle at rest may have, or a servo
+   moves faster. */
+static int walls_move(const struct dem *d, const struct dem_quiet *q, const struct dem_totals *t)
+{
+    const double n = t->particles > 0 ? (double)t->particles : 1.0;
+    const double energy = q->speed > 0.0 ? 0.5*t->mass/n*q->speed*q->speed
+                                         : q->kinetic*t->fall_energy/n;
+    int moves = 0;
+
+    for (int k = 0; k < d->state.walls.walls; k++)
+    {
+        const struct dem_wall_body *const b = dem_walls_body(&d->state.walls, k);
+
+        moves |= b && (dem_wall_body_kinetic(b) > energy
+                       || (b->kind == DEM_WALL_BODY_SERVO
+                           && 0.5*t->mass/n*b->state.v[0]*b->state.v[0] > energy));
+    }
+    return moves;
+}
+
 int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *t)
 {
     const double n = t->particles > 0 ? (double)t->particles : 1.0;
@@ -105,7 +125,7 @@ int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *
     const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
 
     q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
-    q->since = (double)q->move > q->moving*(double)t->particles || !balanced(q, t) ? INFINITY
+    q->since = walls_move(d, q, t) || (double)q->move > q->moving*(double)t->particles || !balanced(q, t) ? INFINITY
              : isfinite(q->since) ? q->since
                                   : t->time;
     q->reached = t->time - q->since >= q->wait*(1.0 - 1e-9);

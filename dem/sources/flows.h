@@ -108,7 +108,7 @@ int dem_flows_due(const struct dem_state *);
 int dem_flows_find_positions(struct dem_state *, int64_t step);
 
 /* Add the arrivals of this rank behind its owned particles, after the contact history has been
-   saved. Their velocity is that of their stream: within a window the caller kicks it backward by
+   saved. They have the velocity of their stream: within a window the caller kicks it backward by
    half a step. */
 int dem_flows_insert(struct dem_state *);
 

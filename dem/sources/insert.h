@@ -58,7 +58,7 @@ int dem_insert_refuse_duplicates(const struct dem_insertion *, size_t n, const i
 int dem_insert_check_domain(const struct dem_insertion *, const struct dem_domain *);
 
 /* Collective. Create the particles of all groups, each rank a part of them. Fails on all ranks
-   when it does on one. The number of a lattice with limits becomes that of the sites taken. */
+   when it does on one. The number of a lattice with limits becomes the number of sites taken. */
 int dem_insert_place(struct dem_initial_particles *, struct dem_insertion *,
                      const struct dem_interaction_table *, const struct dem_walls *,
                      const struct dem_decomposition *);

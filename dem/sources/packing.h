@@ -70,7 +70,7 @@ enum
 
 /* ---- steps of dem_packing_fill --------------------------------------------------------------- */
 
-/* Set the position of a sphere to that of its `trial`-th trial, wrapped into the domain. Returns 0
+/* Set the position of a sphere to its `trial`-th trial, wrapped into the domain. Returns 0
    when the limits of the shape leave none. */
 int dem_packing_draw(const struct dem_packing *, struct dem_particle *, uint64_t trial);
 

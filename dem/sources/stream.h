@@ -76,7 +76,7 @@ int dem_streams_read(struct dem_streams *, const struct dem_dict *insert,
 int dem_streams_add_wall(struct dem_streams *, const char *name, int *outlet);
 void dem_streams_free(struct dem_streams *);
 
-/* Extend the smallest and the largest radius [m], by material, to those of the streams; 0 means
+/* Extend the smallest and the largest radius [m], by material, to the radii of the streams; 0 means
    none so far. */
 void dem_streams_radii(const struct dem_streams *, double *min, double *max);
 

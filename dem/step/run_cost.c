@@ -30,7 +30,7 @@ static double neighbors(double gap)
     return in_contact + per_diameter*gap;
 }
 
-/* Skins in mean diameters if they are tuned: those of a bed that comes to rest, for which memory
+/* Skins in mean diameters if they are tuned: as for a bed that comes to rest, for which memory
    is kept. */
 static const double tuned_skin[2] = {0.3, 0.04};
 

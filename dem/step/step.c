@@ -41,6 +41,7 @@
 #include "step/sum_contacts.h"
 #include "step/sweep_bodies.h"
 #include "step/sweep_contacts.h"
+#include "step/wall_bodies.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -83,9 +84,14 @@ static double drift(struct dem_state *state, int last)
     state->steps++;
     dem_eddies_advance(&state->particles, &state->interaction_table.bodies, state->dt,
                        state->steps);
+    if (state->walls.bodies > 0)
+    {
+        dem_wall_bodies_drift(state);
+    }
     dem_walls_move(&state->walls, state->time, state->dt);
     dem_walls_advance(&state->walls, state->steps - state->window.steps_before,
                       state->window.steps);
+    dem_wall_statistics_add_work(state, 0.5*state->dt, 1);
     if (state->energy_balance->open)
     {
         dem_energy_balance_after_drift(state, state->dt);
@@ -241,8 +247,15 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     {
         dem_energy_balance_after_sweep(state, state->dt);
     }
+    dem_wall_statistics_add_work(state, 0.5*state->dt, 0);
     dem_wall_statistics_add_kick(state, pass->sweep->kick);
     dem_sum_bond_energies(&state->particles, &state->contacts);
+    if (state->walls.bodies > 0)
+    {
+        const int moved = dem_wall_bodies_sum(state);
+
+        status = status ? status : moved;
+    }
     dem_timers_end_phase(state->timers, DEM_PHASE_SUMS);
     if (due->backup)
     {
@@ -255,6 +268,10 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
         status = dem_step_backup_ahead(state, dem_unagreed_keep_error(&state->unagreed, status),
                                        &half);
         dem_timers_end_rare_phase(state->timers, DEM_PHASE_BACKUP);
+    }
+    if (state->walls.bodies > 0)
+    {
+        dem_wall_bodies_kick(state, pass->sweep->kick);
     }
     dem_bodies_work_until(pass, state->particles.n);
     dem_domain_constrain(&state->domain, &state->particles);
@@ -364,6 +381,10 @@ static void first_kick(struct dem_state *state, double kick)
     if (kick > 0.0)
     {
         dem_wall_statistics_add_kick(state, kick);
+        if (state->walls.bodies > 0)
+        {
+            dem_wall_bodies_kick(state, kick);
+        }
         dem_sweep_bodies(&state->particles, &state->interaction_table.bodies,
                          &(struct dem_body_sweep){
                              .kick = kick,

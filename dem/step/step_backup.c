@@ -7,6 +7,7 @@
 #include "particles/domain.h"
 #include "ranks/agree.h"
 #include "sources/flows.h"
+#include "step/wall_bodies.h"
 #include <math.h>
 
 /* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
@@ -41,6 +42,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     }
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
     dem_flows_backup(state->flows);
+    dem_wall_bodies_backup(state, half_kick ? half_kick->kick : 0.0);
     backup->time = state->time;
     backup->steps = state->steps;
     if (half_kick)

@@ -12,6 +12,7 @@
 #include "records/lost_cause.h"
 #include "step/fill_batch.h"
 #include "step/store_forces.h"
+#include "step/wall_bodies.h"
 #include "step/wall_springs.h"
 #include "step/limits.h"
 #include "records/energy_balance.h"
@@ -123,6 +124,10 @@ static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
     {
         dem_contact_effects_apply(t, effects, &state->contacts, row);
     }
+    if (effects->pair.with_wall && state->walls.bodies > 0)
+    {
+        dem_wall_bodies_add_batch(state, &t->batch, effects, row, rows);
+    }
     if (effects->past_touching && count_broken(&t->batch) > 0.0)
     {
         DEM_TRY(dem_bonds_record(state, &t->batch, row, rows));
@@ -231,6 +236,10 @@ int dem_sweep_contacts_and_bodies(struct dem_state *state, double dt, const doub
     dem_wall_touches_update(&state->touches, &state->pairs.wall_search, &state->walls,
                             &state->particles);
     dem_wall_springs_redistribute(state);
+    if (state->walls.bodies > 0)
+    {
+        dem_wall_bodies_begin_sweep(&state->walls);
+    }
     if (state->energy_balance->open)
     {
         dem_energy_balance_begin_sweep(state->energy_balance);

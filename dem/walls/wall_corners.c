@@ -92,7 +92,7 @@ static void wrap_corners(const struct dem_walls *w, struct corner *c, size_t n, 
     }
 }
 
-/* 1 when two corners coincide: to `tolerance`, or at different periods to that of a surface stored in
+/* 1 when two corners coincide: to `tolerance`, or at different periods to the tolerance of a surface stored in
    single precision. */
 static int coincide(const struct corner *a, const struct corner *b, double tolerance,
                     double across_faces)

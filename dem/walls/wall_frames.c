@@ -15,102 +15,23 @@
 #include <math.h>
 #include <string.h>
 
-/* Tolerance of parallel axes: sine of the angle between them. */
-static const double max_sine = 1e-9;
-
-static int check_shape(const struct dem_wall *w, const struct dem_motion *m)
-{
-    static const char *const remedy[] =
-        {"", "plane (a box is made of them) turns about its normal only; build it from triangles",
-         "cylinder turns about an axis parallel to its own only; build it from triangles", ""};
-    double across[3];
-
-    if (m->kind == DEM_MOTION_ROTATION &&
-        (w->shape == DEM_SHAPE_PLANE || w->shape == DEM_SHAPE_CYLINDER))
-    {
-        dem_vec_cross(w->normal, m->axis, across);
-        DEM_REQUIRE(dem_vec_norm(across) < max_sine, DEM_ERROR_INPUT,
-                    "wall %s: its rotation about (%g %g %g) would tilt it, and an infinite %s",
-                    w->name, m->axis[0], m->axis[1], m->axis[2], remedy[w->shape]);
-    }
-    return DEM_OK;
-}
-
-static int same_motion(const struct dem_motion *a, const struct dem_motion *b)
-{
-    return a->kind == b->kind && a->start <= b->start && a->start >= b->start && a->end <= b->end &&
-           a->end >= b->end && memcmp(a->velocity, b->velocity, sizeof a->velocity) == 0 &&
-           memcmp(a->amplitude, b->amplitude, sizeof a->amplitude) == 0 &&
-           memcmp(&a->frequency, &b->frequency, sizeof a->frequency) == 0 &&
-           memcmp(&a->phase, &b->phase, sizeof a->phase) == 0 &&
-           memcmp(a->origin, b->origin, sizeof a->origin) == 0 &&
-           memcmp(a->axis, b->axis, sizeof a->axis) == 0 &&
-           memcmp(&a->omega, &b->omega, sizeof a->omega) == 0;
-}
-
-static int same_pose(const struct dem_pose *a, const struct dem_pose *b)
-{
-    return memcmp(a, b, sizeof *a) == 0;
-}
-
-static void pose_at(const struct dem_wall_frame *f, double time, struct dem_pose *pose)
+void dem_wall_frame_pose(const struct dem_wall_frame *f, double time, struct dem_pose *pose)
 {
     struct dem_pose motion;
+    struct dem_pose *const to = f->resumed ? &motion : pose;
 
-    if (!f->resumed)
+    if (f->compound)
     {
-        dem_motion_pose(&f->motion, time, pose);
-        return;
+        dem_compound_motion_pose(f->compound, time, to);
     }
-    dem_motion_pose(&f->motion, time, &motion);
-    dem_pose_product(&motion, &f->base, pose);
-}
-
-static int use_frame(struct dem_walls *w, int wall, const struct dem_motion *m,
-                     const struct dem_pose *base)
-{
-    int k = 0;
-
-    while (k < w->frames
-           && !(same_motion(&w->frame[k].motion, m) && same_pose(&w->frame[k].base, base)))
+    else
     {
-        k++;
+        dem_motion_pose(&f->motion, time, to);
     }
-    if (k == w->frames)
+    if (f->resumed)
     {
-        DEM_TRY(DEM_GROW(w->frame, w->frame_capacity, w->frames + 1));
-        w->frame[w->frames++] = (struct dem_wall_frame){
-            .motion = *m, .base = *base, .resumed = !same_pose(base, &dem_pose_identity)};
-        pose_at(&w->frame[k], 0.0, &w->frame[k].pose);
+        dem_pose_product(&motion, &f->base, pose);
     }
-    w->wall[wall].frame = k;
-    return DEM_OK;
-}
-
-int dem_walls_set_motion(struct dem_walls *w, int wall, const struct dem_motion *m)
-{
-    DEM_TRY(check_shape(&w->wall[wall], m));
-    return use_frame(w, wall, m, &dem_pose_identity);
-}
-
-int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_motion *was,
-                            const struct dem_pose *base, double time)
-{
-    static const struct dem_motion rest = {.kind = DEM_MOTION_REST};
-    const int frame = w->wall[wall].frame;
-    const struct dem_motion now = frame < 0 ? rest : w->frame[frame].motion;
-    const struct dem_wall_frame before = {
-        .motion = *was, .base = *base, .resumed = !same_pose(base, &dem_pose_identity)};
-    struct dem_pose stood, motion, back, goes_on = *base;
-
-    if (!same_motion(was, &now))
-    {
-        pose_at(&before, time, &stood);
-        dem_motion_pose(&now, time, &motion);
-        dem_pose_inverse(&motion, &back);
-        dem_pose_product(&back, &stood, &goes_on);
-    }
-    return same_pose(&goes_on, &dem_pose_identity) ? DEM_OK : use_frame(w, wall, &now, &goes_on);
 }
 
 const double *dem_walls_to_frame(const struct dem_walls *w, int wall, const double x[3],
@@ -140,7 +61,14 @@ static void add_push(const struct dem_walls *w, struct dem_wall *of, const doubl
     }
     dem_pose_point(&w->frame[of->frame].base, x, at);
     dem_pose_direction(&w->frame[of->frame].base, n, normal);
-    dem_motion_velocity(&w->frame[of->frame].motion, at, v);
+    if (w->frame[of->frame].compound)
+    {
+        dem_compound_motion_velocity(w->frame[of->frame].compound, at, v);
+    }
+    else
+    {
+        dem_motion_velocity(&w->frame[of->frame].motion, at, v);
+    }
     const double along = dem_vec_dot(v, normal), square = dem_vec_dot(v, v);
 
     of->push = fmax(of->push, of->shape == DEM_SHAPE_SPHERE ? sqrt(square)
@@ -247,9 +175,21 @@ void dem_walls_move(struct dem_walls *w, double time, double dt)
     w->displacement = 0.0;
     for (int k = 0; k < w->frames; k++)
     {
-        pose_at(&w->frame[k], time, &w->frame[k].pose);
+        dem_wall_frame_pose(&w->frame[k], time, &w->frame[k].pose);
         dem_walls_make_pose_periodic(w, &w->frame[k]);
-        dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
+        if (w->frame[k].compound)
+        {
+            /* between steps the velocity of the last one stays */
+            if (dt > 0.0)
+            {
+                dem_compound_motion_displacement(w->frame[k].compound, time, dt,
+                                                 &w->frame[k].displacement);
+            }
+        }
+        else
+        {
+            dem_motion_displacement(&w->frame[k].motion, time, dt, &w->frame[k].displacement);
+        }
     }
     for (size_t k = 0; k < w->marks; k++)
     {

@@ -41,8 +41,9 @@ static void cell_range(const struct dem_wall_search *s, double box[2][3], double
         const double a = floor((box[0][k] - margin - s->origin[k])/s->edge);
         const double b = floor((box[1][k] + margin - s->origin[k])/s->edge);
 
-        from[k] = a < 0.0 ? 0 : a > s->cells[k] ? s->cells[k] : (int)a;
-        to[k] = b < -1.0 ? -1 : b > s->cells[k] - 1 ? s->cells[k] - 1 : (int)b;
+        /* no cell for what is not a number */
+        from[k] = !(a >= 0.0) ? 0 : a > s->cells[k] ? s->cells[k] : (int)a;
+        to[k] = !(b >= -1.0) ? -1 : b > s->cells[k] - 1 ? s->cells[k] - 1 : (int)b;
     }
 }
 

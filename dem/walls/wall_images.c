@@ -271,6 +271,12 @@ void dem_walls_swept_extent(const struct dem_walls *w, const struct dem_triangle
     const struct dem_motion *const m = frame < 0 ? NULL : &w->frame[frame].motion;
     double range[2] = {0.0, 0.0};
 
+    if (m && m->kind == DEM_MOTION_COMPOUND)    /* of a table or a force: anywhere */
+    {
+        extent[0] = -INFINITY;
+        extent[1] = INFINITY;
+        return;
+    }
     extent[0] = INFINITY;
     extent[1] = -INFINITY;
     for (int k = 0; k < 3; k++)
@@ -311,6 +317,10 @@ static int comes_near(const struct dem_walls *w, const struct dem_wall_frame *f,
 {
     double range[2];
 
+    if (f->compound)
+    {
+        return f->triangles && isfinite(f->box[0][k]);
+    }
     travel(&f->motion, k, range);
     range[0] += f->base.shift[k];
     range[1] += f->base.shift[k];
@@ -330,7 +340,10 @@ void dem_walls_choose_periods(struct dem_walls *w)
 
         for (int k = 0; k < 3; k++)
         {
-            const int can = (f->motion.kind != DEM_MOTION_ROTATION || is_along(f->motion.axis, k))
+            int rotates;
+            const int can = (f->compound ? !dem_compound_motion_leans(f->compound, k, &rotates)
+                             : f->motion.kind != DEM_MOTION_ROTATION
+                                 || is_along(f->motion.axis, k))
                          && fabs(f->base.rotation[k][k] - 1.0) < round_off;
 
             f->period[k] = w->period[k] > 0.0 && can && comes_near(w, f, k) ? w->period[k] : 0.0;
@@ -354,7 +367,7 @@ void dem_walls_make_pose_periodic(const struct dem_walls *w, struct dem_wall_fra
         {
             const int rotates = f->motion.kind == DEM_MOTION_ROTATION;
 
-            for (int m = 0; m < 3 && (rotates || f->resumed); m++)
+            for (int m = 0; m < 3 && (rotates || f->compound || f->resumed); m++)
             {
                 p->rotation[k][m] = p->rotation[m][k] = m == k ? 1.0 : 0.0;
             }

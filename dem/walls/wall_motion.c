@@ -39,7 +39,7 @@ static void sine_cosine(double angle, double *sine, double *cosine)
     }
 }
 
-static double time_in_motion(const struct dem_motion *m, double time)
+double dem_motion_time(const struct dem_motion *m, double time)
 {
     return fmax(fmin(time, m->end) - m->start, 0.0);
 }
@@ -52,9 +52,9 @@ static double active_time(const struct dem_motion *m, double time, double dt)
 
 /* ---- poses ----------------------------------------------------------------------------------- */
 
-static void pose_rotation(const struct dem_motion *m, double angle, struct dem_pose *p)
+void dem_pose_rotate(const double origin[3], const double axis[3], double angle, struct dem_pose *p)
 {
-    const double *const k = m->axis;
+    const double *const k = axis;
     double s, c, moved[3];
 
     sine_cosine(angle, &s, &c);
@@ -66,19 +66,19 @@ static void pose_rotation(const struct dem_motion *m, double angle, struct dem_p
         p->rotation[a][b] = (1.0 - c)*k[a]*k[b] - s*k[d];
         p->rotation[a][d] = (1.0 - c)*k[a]*k[d] + s*k[b];
     }
-    dem_pose_direction(p, m->origin, moved);
-    dem_vec_minus(m->origin, moved, p->shift);
+    dem_pose_direction(p, origin, moved);
+    dem_vec_minus(origin, moved, p->shift);
 }
 
 void dem_motion_pose(const struct dem_motion *m, double time, struct dem_pose *p)
 {
-    const double in_motion = time_in_motion(m, time);
+    const double in_motion = dem_motion_time(m, time);
     double s = 0.0, c;
 
     *p = (struct dem_pose){.rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
     if (m->kind == DEM_MOTION_ROTATION)
     {
-        pose_rotation(m, m->omega*in_motion, p);
+        dem_pose_rotate(m->origin, m->axis, m->omega*in_motion, p);
     }
     else if (m->kind == DEM_MOTION_OSCILLATION)
     {
@@ -133,7 +133,7 @@ static void displacement_oscillation(const struct dem_motion *m, double time, do
     double half, middle, unused, rate = 0.0;
 
     sine_cosine(0.5*turns*moved, &half, &unused);
-    sine_cosine(turns*(time_in_motion(m, time) - 0.5*moved) + m->phase, &unused, &middle);
+    sine_cosine(turns*(dem_motion_time(m, time) - 0.5*moved) + m->phase, &unused, &middle);
     if (dt > 0.0)
     {
         rate = 2.0*middle*half/dt;

@@ -17,6 +17,7 @@
  * A point of the wall has the velocity of the chord of the last step, (x(t) - x(t - dt))/dt, as
  * particles have: what moves with the wall has exactly no slip.
  *
+ * Several motions of one wall, tables, and walls moved by force: compound_motion.h.
  * Which wall has which motion, and the bound of its displacement for the lists: walls.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -31,7 +32,9 @@ enum dem_motion_kind
     DEM_MOTION_REST,
     DEM_MOTION_TRANSLATION,
     DEM_MOTION_ROTATION,
-    DEM_MOTION_OSCILLATION
+    DEM_MOTION_OSCILLATION,
+    DEM_MOTION_TABLE,                       /* part of a compound only */
+    DEM_MOTION_COMPOUND                     /* of a frame: see compound_motion.h */
 };
 
 /* Rates [1/s, rad/s], phases [rad] and start [s] of a motion lie below it, so angles are finite. */
@@ -49,6 +52,12 @@ struct dem_motion
 /* of a frame that is where its wall was given */
 static const struct dem_pose dem_pose_identity = {
     .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+/* Rotation by an angle [rad] about a unit axis through the origin. */
+void dem_pose_rotate(const double origin[3], const double axis[3], double angle, struct dem_pose *);
+
+/* Time since the start [s], limited to [0, end - start]. */
+double dem_motion_time(const struct dem_motion *, double time);
 
 /* Pose of the reference frame at a time [s]. */
 void dem_motion_pose(const struct dem_motion *, double time, struct dem_pose *);

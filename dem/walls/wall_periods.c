@@ -73,9 +73,13 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
 {
     const struct dem_wall *const of = &w->wall[t->wall];
     const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
-    const int rotates = m && m->kind == DEM_MOTION_ROTATION &&
-                        is_across(m->axis, axis, 0.0);
-    const double *const about = rotates ? m->axis : of->drive.spin;
+    const struct dem_compound_motion *const c = m ? w->frame[of->frame].compound : NULL;
+    int any;
+    const double *const leans =
+        c ? dem_compound_motion_leans(c, axis, &any)
+        : m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis, 0.0) ? m->axis : NULL;
+    const int rotates = leans != NULL;
+    const double *const about = rotates ? leans : of->drive.spin;
     double extent[2];
 
     if (!rotates && !(of->driven && is_across(of->drive.spin, axis, leaning)))

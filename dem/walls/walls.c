@@ -18,6 +18,10 @@ void dem_walls_free(struct dem_walls *w)
     {
         dem_memory_free(w->wall[k].scalars);
     }
+    for (int k = 0; k < w->frames; k++)
+    {
+        dem_compound_motion_free(w->frame[k].compound);
+    }
     dem_memory_free(w->wall);
     dem_name_index_free(&w->names);
     dem_memory_free(w->triangle);

@@ -28,6 +28,7 @@
 
 #include "core/name_index.h"
 #include "particles/periodic_image.h"
+#include "walls/compound_motion.h"
 #include "walls/facet.h"
 #include "walls/wall_drive.h"
 #include "walls/wall_motion.h"
@@ -126,6 +127,7 @@ struct dem_wall_record
 struct dem_wall_frame
 {
     struct dem_motion motion;
+    struct dem_compound_motion *compound;  /* of DEM_MOTION_COMPOUND; of this wall alone */
     struct dem_pose base;         /* where the motion begins, see wall_motion.h */
     int resumed;                  /* 1: the base is not the identity */
     struct dem_pose pose;         /* present */
@@ -181,6 +183,8 @@ struct dem_walls
     struct dem_mark *mark;
     /* m: largest displacement of a wall in the last step */
     double displacement;
+    /* number of frames that are moved by force */
+    int bodies;
     /* number of walls that follow a mesh */
     int following;
     /* of walls that follow a mesh: one per triangle, or NULL */
@@ -233,10 +237,35 @@ int dem_walls_add_triangles(struct dem_walls *, int wall, size_t n, const double
    about its normal only). */
 int dem_walls_set_motion(struct dem_walls *, int wall, const struct dem_motion *);
 
-/* Before the walls are finished: a wall that had another motion, with this base, until `time` [s]
-   goes on from its pose then, with its motion from now on. The same motion keeps the base. */
-int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_motion *was,
-                            const struct dem_pose *base, double time);
+/* Likewise a motion of several parts, from a table or by force, which the walls own from now on, also
+   after an error. */
+int dem_walls_set_compound(struct dem_walls *, int wall, struct dem_compound_motion *);
+
+/* what a snapshot knows of the motion of a wall */
+struct dem_wall_before
+{
+    struct dem_motion motion;
+    struct dem_pose base;
+    int compound;                 /* 1: of the motion these only: */
+    uint64_t hash;
+    struct dem_pose stood;
+    struct dem_wall_body_state body;
+};
+
+/* Before the walls are finished: a wall that had another motion until `time` [s] goes on from its pose
+   then, with its motion from now on. The same motion keeps the base, and the state of a body. */
+int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_wall_before *,
+                            double time);
+
+/* The axis [unit] and a point on it [m] about which a wall or its surface turns. Returns 0, and the z
+   axis, for a wall that does not turn about one axis fixed in space. */
+int dem_walls_axis(const struct dem_walls *, int wall, double origin[3], double axis[3]);
+
+/* The pose of a frame at a time [s]; of a body, with its present displacement. */
+void dem_wall_frame_pose(const struct dem_wall_frame *, double time, struct dem_pose *);
+
+/* The body of a wall that is moved by force, or NULL. */
+struct dem_wall_body *dem_walls_body(const struct dem_walls *, int wall);
 
 /* After the walls are finished: normal or axis, point, radius; or area and centroid of triangles.
    dem_walls_same_form: 1 when two of them are of the same wall. Triangles may differ by the rounding

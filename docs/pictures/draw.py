@@ -135,7 +135,7 @@ def drag():
     left.set_ylim(0)
     left.set_xticks(range(len(profiles)), ["%s\n%g mm" % (
         {"voidFraction": "void fraction"}.get(r["quantity"], "velocity"), float(r["height_mm"])) for r in profiles])
-    left.set_ylabel("difference from the measurement\nover that of a flat profile")
+    left.set_ylabel("difference from the measurement\nover a flat profile's")
     legend(left, 5)
     right.set_yticks(range(len(laws)), laws)
     right.invert_yaxis()

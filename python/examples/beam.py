@@ -1,5 +1,5 @@
 """beam.py -- a cantilever of bonded beads bends under its weight: the deflection of its end against
-that of a beam, q L^4/(8 E I).
+the deflection of a beam, q L^4/(8 E I).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -75,7 +75,7 @@ class CaseStudy:
                           "ask for kernel")
         if "stiffness" in o.series and not o.settle and case.snapshot:
             raise Refused("-series stiffness: the case starts from a snapshot, whose overlaps are "
-                          "those of its own stiffness; -settle SCENE makes one for each")
+                          "particles settled with its stiffness; -settle SCENE makes one for each")
         if "mesh" in o.series and not case.mesh.is_file():
             raise Refused("-series mesh: the case has no system/blockMeshDict; leave it out")
 
@@ -221,7 +221,7 @@ class CaseStudy:
                                   re.findall(r"^Suna:.* (\d+) DEM steps", log, re.M)], default=0)}
 
     def run(self, variant, k):
-        """The result of run k of a variant: that of -continue, or of a run made now. {"failed":
+        """The result of run k of a variant: read (-continue), or of a run made now. {"failed":
         sentence} if it failed."""
         at = self.folder/"runs"/f"{variant.name()}.{k}"
         stored = at.with_name(at.name + ".json")
@@ -288,7 +288,7 @@ class CaseStudy:
         if not self.dem_steps:
             raise Refused("-series step: the solver does not say how many DEM steps it took; leave it "
                           "out")
-        return self.series("step", "DEM step: in that of the case; deltaT as it is", "time/step",
+        return self.series("step", "DEM step over the case's; deltaT as it is", "time/step",
                            levels, [replace(self.own, step=x) for x in levels],
                            steps=[self.step/self.dem_steps*x for x in levels], exact=True)
 
@@ -302,7 +302,7 @@ class CaseStudy:
         levels = sorted(self.options.meshes)
         narrows = "" if self.own.kernel in WITH_WIDTH else \
             f"; the kernel {self.own.kernel} narrows with them"
-        return self.series("mesh", "cells along an edge: in those of the case; deltaT as it is"
+        return self.series("mesh", "cells along an edge over the case's; deltaT as it is"
                            + narrows, "blockMeshDict", levels,
                            [replace(self.own, mesh=x) for x in levels], sizes=[None]*len(levels))
 
@@ -310,7 +310,7 @@ class CaseStudy:
         """The error of soft contacts scales as the contact time, E^-0.4. Hard spheres have no
         overlap."""
         levels = sorted(self.options.stiffnesses)
-        return self.series("stiffness", "stiffness: in that of the case; errors against hard spheres",
+        return self.series("stiffness", "stiffness over the case's; errors against hard spheres",
                            "youngsModulus", levels,
                            [replace(self.own, stiffness=x) for x in levels],
                            sizes=[x**-0.4 for x in levels], without=("overlap",))

@@ -95,7 +95,7 @@ def report(study):
     """Print the tables and the best buy; write the folder."""
     print(study.title)
     print(f"* the {study.noun} as it is; o no other level is both cheaper and better; times: "
-          "processor time over that of *; heights in mean diameters")
+          "processor time over the time of *; heights in mean diameters")
     for series in study.series:
         print_series(study, series)
     print("best buy: " + best_buy(study))

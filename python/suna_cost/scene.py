@@ -288,7 +288,7 @@ class SceneStudy:
     def stiffnesses(self):
         """The step over its limit is the same in all levels, so the error of the step is much the
         same in all. Soft first."""
-        series = Series("stiffness", "stiffness, in that of the scene; errors against hard spheres",
+        series = Series("stiffness", "stiffness over the scene's; errors against hard spheres",
                         without=("overlap",))       # hard spheres have none
         for k, x in enumerate(sorted(self.options.stiffnesses)):
             settings = {} if x == 1 else {path: x*e for path, e in self.moduli.items()}
@@ -311,7 +311,7 @@ class SceneStudy:
     def parcels(self):
         """The step over its limit is the same in all levels. The finest last: the others are compared
         with it."""
-        series = Series("parcels", "ratio of parcels, in that of the scene; changes against the finest",
+        series = Series("parcels", "ratio of parcels over the scene's; changes against the finest",
                         "parcels/ratio", paired=True, without=("restitution",))
         for x in self.options.parcels:
             settings = self.parcel_settings(x) if x != 1 or self.ratio != 1 else {}

@@ -5,7 +5,7 @@
 The fluid's side is copied from CFD: fields U and p, boundary conditions of voidfraction, system.
 The DEM script that couplingProperties names (twoWayMPIProps/liggghtsPath) goes through the importer
 of LIGGGHTS; what it says of particles becomes constant/demProperties. Where it reads a restart
-file, the particles are those of the script beside it that writes the file: its insertion becomes
+file, the particles come from the script beside it that writes the file: its insertion becomes
 `insert`, and `demPimpleFoam -settle` lets them settle in the mesh's own walls for as long as that
 script runs.
 

@@ -180,7 +180,7 @@ class CloudCase(CoupledCase):
         if not self.properties.sections["insert"]:
             self.properties.add("start", 'snapshot "settled.dem";', injections.place)
             report.approximated(injections.place, "subModels/injectionModels", "no injection: the "
-                                "particles are those of another run. Give its file "
+                                "particles come from another run. Give its file "
                                 "uniform/dem.snapshot as settled.dem, or write groups under insert "
                                 "in its place")
 

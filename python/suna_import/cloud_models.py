@@ -132,7 +132,7 @@ def add_contacts(sub, constants, properties, report):
     d = coeffs.sub(model + "Coeffs")
     e, mu, cohesion = contact(d, report, "of particles")
     report.approximated(coeffs.where("pairModel"), model, "hertz, dry, mindlin: its spring is set "
-                        "to zero when a contact slips, that of mindlin stays at the limit, so "
+                        "to zero when a contact slips, mindlin's stays at the limit, so "
                         "contacts that stick and slip in turn hold more")
     d.refuse_unread(deep=True)
     walls = wall_models(coeffs, report)
@@ -225,7 +225,7 @@ def add_patches(patches, walls, sub, properties, report, place):
         for old in ("e", "mu") if d is not None else ():
             if old in d:
                 d.find(old)
-                d.harmless(old, "wall contacts are those of the wall model, here as there: centres "
+                d.harmless(old, "wall contacts follow the wall model, here as there: centres "
                            "never reach the face", f"of {patch.name}")
         if patch.type == "wall":
             material = next((word for name, word in walls.items() if name and (

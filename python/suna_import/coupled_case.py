@@ -2,7 +2,7 @@
 with what Suna needs.
 
 Files of the source stay byte by byte: one that is changed is kept as NAME.original, and the new
-file includes it and adds entries, which replace or are merged with those of the original. Fields
+file includes it and adds entries, which replace or are merged with the entries of the original. Fields
 are written anew, as OpenFOAM would read NAME.original beside them.
 
 demPimpleFoam needs of a case: the application; Euler in time; schemes of its terms; linear solvers

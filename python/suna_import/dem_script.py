@@ -4,7 +4,7 @@ laws, walls, particles.
     dem = read_dem_script(Path("DEM/in.liggghts_run"), Path("ErgunTestMPI"), report)
     dem.add_laws(properties), dem.walls, dem.add_particles(properties)
 
-The script is executed by liggghts.py. Steps, outputs, end of the run and domain are those of the
+The script is executed by liggghts.py. Steps, outputs, end of the run and domain come from the
 OpenFOAM case. Where the script reads a restart file, liggghts.py finds the script that writes
 it; its groups are inserted, and -settle runs for as long as that script.
 
@@ -53,7 +53,7 @@ class CoupledScript(Translation):
             self.report.rows.pop()
             named = ": read cm for m, g for kg in logs and tables" if words[0] == "cgs" else \
                 ", whatever logs and tables name"
-            self.approximated("all numbers stay in these units, as those of CFD are" + named,
+            self.approximated("all numbers stay in these units, as in CFD" + named,
                               f"units {words[0]}")
             length, _, time = BASE[words[0]]
             self.units, self.speed = Units(), time/length
@@ -124,7 +124,7 @@ class DemScript:
         axis, shape = wall.primitive[:1], wall.primitive[1:]
         if shape not in PRIMITIVES or axis not in AXES:
             self.refuse(wall.place, f"primitive {wall.primitive}", "known are xplane, xcylinder "
-                        "and those of y and z")
+                        "and the same for y and z")
         axis = AXES[axis]
         if shape == "plane":
             point, radius = tuple(wall.numbers[0]*x for x in axis), 0.0

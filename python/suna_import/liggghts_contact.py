@@ -2,7 +2,7 @@
 model ...`) as effects with settings.
 
 `laws(model, properties, i, j)` gives {effect: {setting: value}} for a contact of types i and j. The
-effects of a scene are those of its particles; `pairs` has what differs, for types and for walls
+effects of a scene hold between its particles; `pairs` has what differs, for types and for walls
 whose model is another one: friction, rolling resistance or cohesion that a wall lacks is 0 there.
 
     hertz, hooke                the same force; hooke with impactSpeed = characteristicVelocity
@@ -136,7 +136,7 @@ def tell(model, report):
              "mu F_n")
     elif model.tangential == "history" and model.normal == "hertz":
         near("tangential history",
-             "mindlin: damping of slip is 1/sqrt(4 G*/E*) times that of LIGGGHTS (1.1 for a "
+             "mindlin: damping of slip is 1/sqrt(4 G*/E*) times LIGGGHTS' (1.1 for a "
              "Poisson's ratio of 0.3), and spring and dashpot together obey mu F_n; an oblique "
              "impact at 1 m/s changes by 0.01 m/s, a settled bed by 0.02 diameters "
              "(docs/results.md)")
@@ -147,7 +147,7 @@ def tell(model, report):
     elif model.tangential == "no_history":
         near("tangential no_history",
              "linear with ratio 0: slip is damped with the coefficient of the normal law, "
-             "beside hertz 1/sqrt(4 G*/E*) times that of LIGGGHTS; no heap rests, as there")
+             "beside hertz 1/sqrt(4 G*/E*) times LIGGGHTS'; no heap rests, as there")
     elif model.tangential.startswith("incremental"):
         near("tangential " + model.tangential,
              "mindlinIncremental: the spring loses force with the stiffness "
@@ -273,5 +273,5 @@ def fits(model, base):
             return f"{part} {mine} beside {theirs} of pair_style: a scene has one law of each kind"
     if model.on("viscous") != base.on("viscous") or \
             model.on("absolute_damping") != base.on("absolute_damping"):
-        return "damping that is not that of pair_style: a scene has one law of damping"
+        return "damping that differs from pair_style: a scene has one law of damping"
     return ""

@@ -49,8 +49,8 @@ class Malformed(BadWords):
 
 
 class Expression:
-    """`variable(name)` gives the value of another variable, `keyword(name)` that of a thermo
-    keyword; both raise Dynamic where there is none."""
+    """`variable(name)` gives the value of another variable, `keyword(name)` the value of a
+    thermo keyword; both raise Dynamic where there is none."""
 
     def __init__(self, text, variable, keyword):
         self.text, self.variable, self.keyword = text, variable, keyword

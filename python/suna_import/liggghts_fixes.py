@@ -42,8 +42,8 @@ LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or 
            ("nve/", "Suna has spheres, integrated by themselves"),
            ("sph/", "Suna has no smoothed particle hydrodynamics"),
            ("wall/sph", "Suna has no smoothed particle hydrodynamics"),
-           ("mesh/surface/stress/servo", "Suna has no wall that a force moves"),
-           ("mesh/surface/stress/6dof", "Suna has no wall that a force moves"),
+           ("mesh/surface/stress/6dof", "Suna's walls are free along axes or on a hinge; give the "
+            "motion by hand, see docs/walls-and-boundaries.md"),
            ("break/", "Suna has no breakage"),
            ("multicontact", "Suna treats each contact by itself"),
            ("adapt", "Suna keeps the size of a particle; "
@@ -59,7 +59,7 @@ LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or 
            ("buoyancy", "use fluid and pressureGradient in the scene"),
            ("setforce", "Suna sets no force; frozen, driven"), ("spring", "Suna has no such force"),
            ("deform", "the domain keeps its size"),
-           ("momentum", "Suna keeps momentum; the frame is that of the walls"),
+           ("momentum", "Suna keeps momentum; the frame is fixed to the walls"),
            ("remove", "use outlets in the scene"),
            ("insert/pack/", "use insert/pack with a region"),
            ("pour", "use insert/pack or insert/stream, which replaced it"))

@@ -8,7 +8,7 @@ gran` as the effect conduction.
     k    harmonic mean of the conductivities [W/(m K)]
     d    overlap [m]
 
-So conductivities are multiplied by sqrt(2 pi): H is that of LIGGGHTS, at walls too, more by d/(8 R)
+So conductivities are multiplied by sqrt(2 pi): H is the same as in LIGGGHTS, at walls too, more by d/(8 R)
 between equal spheres and d/(4 R) at a wall.
 `area_correction yes` multiplies d by (E*/E*_original)^(1/x) with x = 3/2 for hertz, which is
 c = (E*/E*_original)^(1/3), `area force` of Suna with realModulus; x = 1 for hooke.

@@ -159,7 +159,7 @@ class Insertion:
     all_in: bool = False
     tries: int = 50                 # maxattempt: trials for each sphere of a packing
     off_border: bool = True         # a radius away from the faces of the box
-    temperature: float = 0.0        # K; 0: that of fix heat/gran
+    temperature: float = 0.0        # K; 0: as in fix heat/gran
     scalars: str = ""               # entries of particle scalars
 
     # ---- amounts ---------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 tables of particles from data files and dumps.
 
 A data file has atom_style granular or sphere: id, type, diameter, density, x, y, z. A dump
-is that of `dump custom`, with the columns x y z (or xu) and radius or diameter. Its last frame
+is made by `dump custom`, with the columns x y z (or xu) and radius or diameter. Its last frame
 counts.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -37,7 +37,7 @@ class Particles:
         self.type = numpy.empty(0, int)
         self.x, self.v, self.w = (numpy.empty((0, 3)) for _ in range(3))
         self.diameter, self.density = numpy.empty(0), numpy.empty(0)
-        self.temperature = numpy.empty(0)       # K; 0: that of fix heat/gran
+        self.temperature = numpy.empty(0)       # K; 0: as in fix heat/gran
         self.place = None
 
     def __len__(self):

@@ -5,7 +5,7 @@ scene: insertions that begin or end, one motion of a mesh. Another change (a wal
 another material, a second motion) begins a new scene that continues from the snapshot of the one
 before.
 
-Particles, walls, motions and streams have the time of the script, so a scene of a series is that of
+Particles, walls, motions and streams have the time of the script, so a scene of a series is
 the whole script from its own beginning on.
 
 SPDX-License-Identifier: GPL-3.0-or-later

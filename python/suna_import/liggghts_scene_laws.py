@@ -73,7 +73,7 @@ class Laws:
                            properties.places["youngsModulus"])
 
     def add_pair(self, a, b, common):
-        """Settings of a pair of materials that differ from those of the effects."""
+        """Settings of a pair of materials that differ from the effects' settings."""
         differ = {e: {k: v for k, v in values.items() if common[e].get(k) != v}
                   for e, values in self.laws_of(a, b).items()}
         differ = {e: values for e, values in differ.items() if values}

@@ -142,7 +142,9 @@ class Walls:
                  "rotate": lambda: f"type rotation; origin {vector(v[:3])}; "
                  f"axis {vector(v[3:6])}; omega {text(v[6])};",
                  "wiggle": lambda: f"type oscillation; amplitude {vector(v[:3])}; "
-                 f"frequency {text(v[3])};"}[m.kind]()
+                 f"frequency {text(v[3])};",
+                 "servo": lambda: f"type servo; axis {vector(v[:3])}; force {text(v[3])}; "
+                 f"maxSpeed {text(v[4])};"}[m.kind]()
         words += f" start {text(m.start)};" if m.start > 0 else ""
         words += f" end {text(m.end)};" if math.isfinite(m.end) and m.end < self.end else ""
         return f"motion {{ {words} }}"

@@ -205,6 +205,36 @@ def mesh_stress(t, name, group, words):
     t.wall_interval = True
 
 
+# words of a servo that Suna does not need: how many values they have
+CONTROLLER = {"com": 3, "kp": 1, "ki": 1, "kd": 1, "mode": 1, "ratio": 1}
+
+
+def mesh_servo(t, name, group, words):
+    """A wall that presses along its axis; the rest of the words are of the mesh."""
+    given, others, axis, found = words[:], type(words)(), None, {}
+    while given:
+        key = given.pop(0)
+        if key == "axis":
+            axis, given = t.direction(given[:3]), given[3:]
+        elif key in ("ctrlPV", "target_val", "vel_max"):
+            found[key] = given.pop(0)
+        elif key in CONTROLLER:
+            given = given[CONTROLLER[key]:]
+        else:
+            others.append(key)
+    if found.get("ctrlPV") != "force":
+        t.refuse("known is ctrlPV force; for a torque see hinge in docs/walls-and-boundaries.md",
+                 f"ctrlPV {found.get('ctrlPV')}")
+    if axis is None or "target_val" not in found or "vel_max" not in found:
+        t.refuse("axis, target_val and vel_max belong to it", "mesh/surface/stress/servo")
+    force, speed = t.number(found["target_val"], "force"), t.positive(found["vel_max"], "velocity")
+    mesh_stress(t, name, group, others)
+    t.meshes[name].motions.append(Motion("servo", (*axis, force, speed), t.time, t.command.place,
+                                         name=name))
+    t.approximated("Suna's servo takes its damping from the contacts, not from kp, ki, kd or mode",
+                   "mesh/surface/stress/servo")
+
+
 def move_mesh(t, name, group, words):
     wall, kind, rest = t.find(t.meshes, words[1], "mesh"), words[2], words[3:]
     if kind not in MOVES:
@@ -232,4 +262,5 @@ METHODS = {
     "mesh/surface": mesh,
     "mesh/surface/planar": mesh,
     "mesh/surface/stress": mesh_stress,
+    "mesh/surface/stress/servo": mesh_servo,
     "move/mesh": move_mesh}

@@ -429,8 +429,17 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
                   "linear/variable v_a v_b v_c"):
         refused(BASE.replace(line + "\n", mesh + f"fix m all move/mesh mesh belt {words}\n"),
                 f"move/mesh {words.split()[0]}", "oscillation", plate__stl=plate)
-    refused(BASE.replace(line, "fix s all mesh/surface/stress/servo file plate.stl type 1"),
-            "a force moves", plate__stl=plate)
+    servo = ("fix cad all mesh/surface/stress/servo file plate.stl type 1 scale 0.01 com 0 0 0 ctrlPV "
+             "force axis 0 0 -2 target_val 5 vel_max 0.1 kp 5\n")
+    pressed = "".join([servo, *mesh.splitlines(True)[1:]])
+    has(translate(BASE.replace(line + "\n", pressed), plate__stl=plate)[0],
+        "motion { type servo; axis (0 0 -1); force 5; maxSpeed 0.1; }")
+    refused(BASE.replace(line + "\n", pressed.replace("ctrlPV force", "ctrlPV torque")), "hinge",
+            plate__stl=plate)
+    refused(BASE.replace(line + "\n", pressed.replace("vel_max 0.1 ", "")), "belong to it",
+            plate__stl=plate)
+    refused(BASE.replace(line, "fix s all mesh/surface/stress/6dof file plate.stl type 1"),
+            "on a hinge", plate__stl=plate)
     refused(
     BASE.replace(
         "plate",

@@ -24,7 +24,7 @@ Without a comment a block is recognised:
     commands    each program exists, and each option is in its -help or in its text
     printed     fenced: of each line, three words in a row (twice two) are in a message of the
                 sources
-    formula     indented, or fenced as math: not looked up; html_pages.py reads those of math
+    formula     indented, or fenced as math: not looked up; html_pages.py reads math
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -159,7 +159,7 @@ static void test_bed_in_scene(void)
     TAP_NEAR(number_after(text, "and at "), balance, digits*balance,
              "where Ergun's law carries the bed");
     TAP_NEAR(e, lattice, ends, "of its own void fraction");
-    TAP_OK(strstr(text, ", that of the particles as they are"), "which is reported to be its own");
+    TAP_OK(strstr(text, ", of the particles as they are"), "which is reported to be its own");
     TAP_NEAR(number_after(text, "Archimedes number "), 3225037.5, digits*3225037.5,
              "Archimedes number");
     TAP_NEAR(number_after(text, "response time of a particle "), response, digits*response,

@@ -21,7 +21,7 @@ top='{ type random; material steel; count 200; diameter 1e-3; min (0 0 0.01); ma
 edit=(-set insert/top "$top" -set walls/press "$press" -set time/end 0.03 "$work/layer.dem")
 first=$(simulate layer 1 "$work/layer.dem")
 edited=$(simulate layer.edited 1 -restart "$work/layer/out/snapshot.dem" "${edit[@]}")
-claim "layers: 200 particles are inserted on those of the snapshot" \
+claim "layers: 200 particles are inserted on those in the snapshot" \
     grep -q "^Suna: 500 particles" "$work/layer.edited/log.out"
 claim "layers: each difference is a line of the log" [ -n "$first" -a "$(grep -c ' restart: ' "$work/layer.edited/log.out")" -eq 2 ]
 claim "layers: on 3 ranks, the same bits" \

@@ -154,7 +154,7 @@ for table in bonds lost box
 do
     claim "$table.csv: the same to its last digit" agrees "$work/wander/out/$table.csv" "$work/wander.whole/out/$table.csv"
 done
-claim "the windows were those of the run without a stop" same "$(grep -vc "^#" "$work/wander/out/box.csv")" 17
+claim "the same windows as the run without a stop" same "$(grep -vc "^#" "$work/wander/out/box.csv")" 17
 
 # snapshot all and no: with all the file has the number of the next output; with no it is
 # snapshot.dem

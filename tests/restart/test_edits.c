@@ -140,7 +140,7 @@ static void groups(void)
     TAP_OK(world_tally(d).particles == 260, "three new groups of 150, 1 and 9 particles");
     /* 0.01: what contacts of the settling bed have; new particles touch nothing */
     TAP_OK(largest_overlap(d) < 0.01, "they overlap with nothing");
-    TAP_OK(largest_id(d) == 259, "ids go on behind those of the snapshot");
+    TAP_OK(largest_id(d) == 259, "ids go on behind the snapshot's");
     TAP_NEAR(world_tally(d).time, 0.02, 1e-12, "time goes on");
     TAP_OK(says(d, "insert/top is new: its 150 particles are inserted now") &&
                says(d, "insert/one is new: its 1 particles") &&
@@ -198,7 +198,7 @@ static void refused_groups(void)
     WORLD_TRY(dem_case_load(c, file));
     d = world_start(c);
     TAP_OK(world_tally(d).particles == 101 && lines_of_restart(d) == 0,
-           "particles of the program are those of the snapshot");
+           "particles of the program come from the snapshot");
     dem_free(d);
     d = start(base);
     WORLD_TRY(dem_save(d, file));
@@ -232,7 +232,7 @@ static void corner(struct dem *d, double x[3])
         k++;
     }
     WORLD_TRY(dem_wall_corners(d, k, all));
-    /* the triangle with (1 1 0) has no corner at the origin; its index is that of the sorted list */
+    /* the triangle with (1 1 0) has no corner at the origin; its index is the one in the sorted list */
     memcpy(x, all + 12, 3*sizeof *x);
 }
 

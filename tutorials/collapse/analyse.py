@@ -3,7 +3,7 @@
 scalings.
 
     analyse.py [-store "text"]       result.csv, collapse.png (rolling.png with -rolling,
-                                     walls.png with -walls); with -store also stored/ and its table
+                                     walls.png with -walls, none with -causes); with -store also stored/ and its table
                                      in results.md
 
 Height    of the deposit h(x): volume of the beads in slices of one diameter, over slice and solid
@@ -23,8 +23,11 @@ import numpy
 from dem_case import OTHER, OURS, POINTS, REFERENCE, Result, below, interval, panel, panels, pictures, \
     plain_ticks, read_vtp, render, save, shades, store
 
-D, WIDTH, LENGTH = 2e-3, 0.01, 0.032
-NAMES = {"free": "spheres", "rolling": "with resistance to rolling", "walls": "between walls"}
+D, LENGTH = 2e-3, 0.032
+WIDTH = 0.01                                        # m, of the channel
+WIDE = 0.03                                         # m, with -causes
+NAMES = {"free": "spheres", "rolling": "with resistance to rolling", "walls": "between walls",
+         "back": "rough back wall", "gate": "gate lifted at 1 m/s", "wide": "walls 15 d apart"}
 
 
 def beads(folder, place):
@@ -37,10 +40,11 @@ def run(kind, a, seed):
     """Aspect ratio, run-out and height of one run, and the deposit's profile."""
     column = beads(f"runs/settle.{kind}.{a}.{seed}", -1)
     height = 2*column[:, 2].mean()
-    packing = len(column)*numpy.pi/6*D**3/(LENGTH*WIDTH*height)
+    width = WIDE if kind == "wide" else WIDTH
+    packing = len(column)*numpy.pi/6*D**3/(LENGTH*width*height)
     rest = beads(f"runs/{kind}.{a}.{seed}", -1)
     edges = numpy.arange(0, rest[:, 0].max() + 2*D, D)
-    profile = numpy.histogram(rest[:, 0], edges)[0]*numpy.pi/6*D**3/(D*WIDTH*packing)
+    profile = numpy.histogram(rest[:, 0], edges)[0]*numpy.pi/6*D**3/(D*width*packing)
     low = numpy.flatnonzero(profile < D)[0]
     # between the last slice above a diameter and the first below
     above = profile[low - 1] if low else profile[0]
@@ -145,6 +149,10 @@ def main():
             result.add("exponent of the run-out", f"{name} a >= 1", 0.9, *interval(slopes[0]), "1")
             result.add("exponent of H_end/L", f"{name} a >= 1", 0.4, *interval(slopes[1]), "1")
     result.write()
+    if not {"free", "rolling", "walls"} & points.keys():
+        if sys.argv[1:2] == ["-store"]:
+            store(sys.argv[2], name="causes", result="causes.csv")
+        return
 
     variant = next(iter(points)) if "free" not in points else None
     picture = f"{variant or 'collapse'}.png"

@@ -26,7 +26,7 @@ def draw_cooling(case, run, window):
     middle, rate = run.rate(window)
     below.axhline(1, color=REFERENCE, lw=1.3, ls="--")
     below.plot(middle, rate, "o-", ms=3, lw=0.9, color=OURS)
-    below.set(xlabel="time [s]", ylabel="heat loss over that of\nperfect exchange",
+    below.set(xlabel="time [s]", ylabel="heat loss over the loss in\nperfect exchange",
               xlim=(0, run.time[-1]), ylim=(0, None))
     figure.tight_layout()
     save(figure, case/"cooling.png")

@@ -175,7 +175,7 @@ def tell_cooling(table, run, start):
         bed = numpy.interp(at[late], run.time, run.mean)
         values = (warm[late] - run.cold)/(bed - run.cold)
         value, half = results.mean_of_blocks(values, max(3, min(8, len(chosen)//5)))
-        table.add("cooling", f"rise of the leaving air over that of the mean bead, from {start:g} s", 1,
+        table.add("cooling", f"rise of the leaving air over the mean bead's, from {start:g} s", 1,
                   value, half, "", None, name)
     folders = [row for row in run.folders() if row[0] <= end*(1 + 1e-9)]
     if folders:
@@ -200,7 +200,7 @@ def tell_balance(table, run):
     kept = run.sum - run.received
     table.add("balance", "heat of fluid and beads less what came, change over what the beads lost", 0,
               numpy.ptp(kept)/run.lost[-1], None, "", 1e-6, "an identity")
-    # air that enters later, and that which is there at the start, becomes as hot as the beads at most
+    # air that enters later and air that is there at the start becomes as hot as the beads at most
     most = (run.blown(run.time) + run.fluid[0]/run.cold)*(run.hot - run.cold)
     plate = run.conducted()
     table.add("balance", "beads' heat beyond air of their first temperature, over what they lost", 0,

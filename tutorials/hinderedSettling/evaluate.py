@@ -143,7 +143,7 @@ def draw(points):
                 axis.errorbar(x, y, error, fmt=mark, color=colour, ms=5, mfc="none", capsize=2)
     for law, mark in (("lattice, wenYu", "o"), ("lattice, diFelice", "s"), ("random suspension, wenYu", "x")):
         axis.plot([], [], mark, color="k", mfc="none", label="Suna, " + law)
-    axis.set(xlabel="void fraction", ylabel="settling speed over that of one sphere alone", yscale="log")
+    axis.set(xlabel="void fraction", ylabel="settling speed over the speed of one sphere alone", yscale="log")
     below(figure, columns=2)
     save(figure, HERE/"speeds.png")
 

@@ -274,7 +274,7 @@ def report_own_law(table, runs, short):
             table.add("own law", f"{law}: Nu over the law's own at the sphere, mean of the beds at rest", 1,
                       numpy.mean(ratios), None, "", 0.05, "the law")
     if speeds:
-        table.add("own law", "superficial velocity at the spheres over that of the plate, at rest", 1,
+        table.add("own law", "superficial velocity at the spheres over its value at the plate, at rest", 1,
                   numpy.mean(speeds), None)
         table.add("own law", "warmth of the air there over the sphere's, both over the inlet's, at rest", 0,
                   numpy.mean(warmth), None)

@@ -51,7 +51,7 @@ def velocity_sums(position, velocity, edges, low, high):
 
 def slice_sums(position, velocity, volume, edges, height, half):
     """The same of a slice whose profile over z is Gaussian, half as high at `half` above and below:
-    beads count at their centres. Solid volume over that of the slice, number of beads, sum of their
+    beads count at their centres. Solid volume over the slice's, number of beads, sum of their
     vertical velocities in each box."""
     x, profile = position[:, 0], numpy.exp(-numpy.log(2)*((position[:, 2] - height)/half)**2)
     depth = half*numpy.sqrt(numpy.pi/numpy.log(2))

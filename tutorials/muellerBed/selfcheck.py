@@ -126,7 +126,7 @@ def check_course():
 
 
 def check_periods():
-    """Periods of 0.4 and 0.6 s in turn, evenly many: 2 a second, and the interval is that of their
+    """Periods of 0.4 and 0.6 s in turn, evenly many: 2 a second, with the interval of their
     mean."""
     crossing = numpy.cumsum([0.0] + [0.4, 0.6]*8)
     periods = numpy.diff(crossing)

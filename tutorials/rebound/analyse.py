@@ -86,7 +86,7 @@ def measured_impacts():
         d, density, viscosity, speed = SETS[st]
         t, h = numpy.loadtxt(f"measured/St{st}.csv", delimiter=",", skiprows=2).T
         for arrival in arrivals:
-            # recorded from the impact on: the speed before is that of the Reynolds number
+            # recorded from the impact on: the speed before follows from the Reynolds number
             if arrival is None:
                 down, spread_down, after = speed, 0.0, t > 0
             else:
@@ -166,7 +166,7 @@ def main():
             result.add("e " + text, f"St {stokes:.1f}", reference, e, None, "1")
     measured = measured_impacts()
     for st, e, ci95 in measured:
-        # no runs at these St: closed forms of the two laws; the interval is that of the measurement
+        # no runs at these St: closed forms of the two laws, with the measurement's interval
         for text, value in (("the law of contact", law(st)),
                             ("the film of 1e-4 R", BEST - (1 + BEST)*numpy.log(1e3)/st)):
             result.add(f"closed form (no run) of {text}; reference and interval: e out of the measured flights", f"St {st:.0f}", e, value, ci95, "1")

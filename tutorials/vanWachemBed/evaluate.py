@@ -39,8 +39,8 @@ def measured(name):
 
 
 def tell_course(table, part, ours, theirs, unit, factor=1):
-    """Rate, dominant frequency and standard deviation of the run over those of the measured
-    points."""
+    """Rate, dominant frequency and standard deviation of the run over the measured
+    ones."""
     rows = [("upward crossings of the mean", ours.rate, ours.rate_interval, theirs.rate,
              theirs.rate_interval, "Hz", 1),
             ("dominant frequency", ours.dominant, ours.dominant_interval, theirs.dominant,

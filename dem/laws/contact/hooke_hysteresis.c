@@ -158,7 +158,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
     }
 }
 
-/* 1: k_2/k after the first impact, whose overlap follows from k d^2/2 = m v^2/2, or is that of
+/* 1: k_2/k after the first impact, whose overlap follows from k d^2/2 = m v^2/2, or from
    hertz */
 static double first_unloading(const struct dem_hooke_hysteresis *h, const struct dem_regime *g)
 {

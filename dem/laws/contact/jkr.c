@@ -142,7 +142,7 @@ static int relevance(const void *of, const struct dem_regime *g, struct dem_rele
     v->quantity =
         "of the weight is the adhesion of asperities of 0.1 um with 0.05 J/m2 (Seville, Willett, Knight 2000)";
     v->missing_setting =
-        "workOfAdhesion; for rough surfaces that of smooth ones times the ratio of asperity to sphere radius";
+        "workOfAdhesion; for rough surfaces the value of smooth ones times the ratio of asperity to sphere radius";
     return g->weight > 0.0 && g->exponent == 1.5 && !g->adhesive
            && (!g->fluid || g->suspension.density > 100.0*g->suspension.fluid_density);
 }

@@ -143,7 +143,7 @@ static double own_added_mass(const void *of)
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
     (void)of;
-    v->missing_setting = g->has_restitution ? NULL : "restitution, that of an impact without fluid";
+    v->missing_setting = g->has_restitution ? NULL : "restitution of an impact without fluid";
     return dem_film_loss(g, v);
 }
 

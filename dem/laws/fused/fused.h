@@ -19,7 +19,7 @@ enum
 struct dem_fused_kernel
 {
     const struct dem_effect *law[DEM_FUSED_LAWS];    /* &dem_none where there is none */
-    /* settings: of the laws, in their places, of which those of none are not read; history: columns of
+    /* settings: of the laws, in their places (not read where there is no law); history: columns of
        all laws one after the other. Sets kn, forces and moments, which need not be cleared. */
     void (*apply)(const void *const settings[DEM_FUSED_LAWS], struct dem_contact_batch *restrict,
                   double *const *history);

@@ -39,7 +39,7 @@
 #include "laws/heat/gas_film.h"
 #include "laws/heat/heat.h"
 
-/* neighbours of a sphere that the limit of the time step counts on; twice those of contact, as
+/* neighbours of a sphere that the limit of the time step counts on; twice the contacts, as
    conduction adds to it */
 static const double max_films = 24.0;
 

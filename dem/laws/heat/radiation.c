@@ -11,7 +11,7 @@
  *   wall       F = (1 - h/L)/2: the part of the plane within L = 2 `reach` R of the centre, which is at
  *              the height h; s_j/A_j = 0
  *
- * The sum over the neighbours is that of a particle and the mean of T^4 around it, weighted by view
+ * The sum over the neighbours is an exchange between a particle and the mean of T^4 around it, weighted by view
  * factors: the local mean of Zhou, Yu and Zulli, within their distance, in a form in which what one
  * sphere loses another one receives. Farther spheres are shadowed; a bed sees 0.6 to 0.8 of its
  * surroundings so. The view factor is exact for one small sphere and 5 % low for two equal ones that

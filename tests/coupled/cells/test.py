@@ -121,7 +121,7 @@ def mesh_numbers(case, pattern):
 
 
 def smallest(case):
-    """The volume of the smallest cell over that of the largest."""
+    """The volume of the smallest cell over the largest."""
     low, high = mesh_numbers(case, r"Min volume = (\S+)\. Max volume = (\S+)\. ")
     return low/high
 

@@ -117,7 +117,7 @@ claim("pressure drop over the section where the bed stands",
 # 3 % of 1 - e
 void = 1 - 81*math.pi/6*1e-12/(section*1.05e-4)
 claim("the void fraction of the bed", close(planned(log, "for a bed of void fraction"), void, 0.024))
-claim("which is its own", "that of the particles as they are" in log)
+claim("which is its own", "of the particles as they are" in log)
 claim("the velocity at which the fluid enters", close(planned(log, "the inlet's"), 0.002, 1e-6))
 claim("and what Richardson and Zaki make of it", "by Richardson and Zaki (1954)" in log)
 

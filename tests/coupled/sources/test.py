@@ -133,7 +133,7 @@ speeds = [0]
 for step in range(20):
     speeds.append((1000*speeds[-1] + 20 + 2*50*speeds[-1])/(1000 + 3*50))
 first, speed = speeds[1], speeds[-1]
-claim("periodic box: the velocity is that of Euler's scheme (1e-5; the grain takes 4e-6 in its cell)",
+claim("periodic box: the velocity of Euler's scheme (1e-5; the grain takes 4e-6 in its cell)",
       largest(case.field("0.02/U") - [0, 0, speed]) < 1e-5*speed)
 budget = case.table("postProcessing/dem/0/budget.csv")
 impulse = rho*0.011**2*0.0396*(speed - first)         # since the end of the first step

@@ -16,7 +16,7 @@ def run(*command, env=None):
     return subprocess.run(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600)
 
 
-# ---- Allwmake, in an environment like that of a version ---------------------------------------------
+# ---- Allwmake, in an environment as a version has it ---------------------------------------------
 
 wmake = work/"foam/wmake/wmake"
 wmake.parent.mkdir(parents=True)
@@ -40,7 +40,7 @@ refused("v1812", "older than v1912")
 
 # ---- programs of another version in PATH ------------------------------------------------------------
 
-# an environment like that of a version whose programs are not built: only its library is there
+# an environment as of a version whose programs are not built: only its library is there
 library = work/"foam/platforms/lib/libOpenFOAM.so"
 library.parent.mkdir(parents=True)
 library.touch()

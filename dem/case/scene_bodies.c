@@ -1,0 +1,221 @@
+/*
+ * scene_bodies.c -- read the motion of a wall that is moved by force: free, hinge or servo.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/scene_internal.h"
+#include "core/did_you_mean.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+static int is_dict(const struct dem_dict *dict, const char *name)
+{
+    int found = 0;
+
+    for (size_t k = 0; k < dem_dict_count(dict); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(dict, k);
+
+        found |= strcmp(dem_entry_name(e), name) == 0 && dem_entry_is_dict(e);
+    }
+    return found;
+}
+
+static int read_load_table(const struct dem_dict *dict, const char *name, struct dem_wall_body *b)
+{
+    static const char *const vector[] = {"x", "y", "z"}, *const number[] = {"value"};
+    const struct dem_dict *sub;
+
+    DEM_TRY(dem_dict_sub(dict, name, &sub));
+    return b->kind == DEM_WALL_BODY_FREE ? dem_scene_read_time_table(sub, vector, 3, &b->table)
+                                         : dem_scene_read_time_table(sub, number, 1, &b->table);
+}
+
+/* A vector for a free wall, else a number; or a table. */
+static int read_load(const struct dem_dict *dict, const char *name, const char *unit,
+                     struct dem_wall_body *b)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+
+    if (is_dict(dict, name))
+    {
+        return read_load_table(dict, name, b);
+    }
+    return b->kind == DEM_WALL_BODY_FREE ? dem_dict_vector_or(dict, name, unit, zero, b->force)
+           : b->kind == DEM_WALL_BODY_SERVO ? dem_dict_number(dict, name, unit, &b->force[0])
+                                            : dem_dict_number_or(dict, name, unit, 0.0, &b->force[0]);
+}
+
+static int read_positive(const struct dem_dict *dict, const char *name, const char *unit, double *value)
+{
+    DEM_TRY(dem_dict_number(dict, name, unit, value));
+    DEM_REQUIRE(*value > 0.0 && *value < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
+                "%s: %s %g %s; give a number above 0 and below %g", dem_dict_where(dict), name, *value,
+                unit, DEM_MOTION_LIMIT);
+    return DEM_OK;
+}
+
+/* `least`: the value without the entry. */
+static int read_damping(const struct dem_dict *dict, const char *unit, double least,
+                        struct dem_wall_body *b)
+{
+    DEM_TRY(dem_dict_number_or(dict, "damping", unit, least, &b->damping));
+    DEM_REQUIRE(b->damping >= 0.0 || !dem_dict_has(dict, "damping"), DEM_ERROR_INPUT,
+                "%s: damping %g %s; give a number above or equal to 0", dem_dict_where(dict), b->damping,
+                unit);
+    return DEM_OK;
+}
+
+/* ---- free ------------------------------------------------------------------------------------ */
+
+/* axes (x z): coordinate axes. */
+static int read_axes(const struct dem_dict *dict, struct dem_wall_body *b)
+{
+    static const char *const known[] = {"x", "y", "z"};
+    const char *const *word;
+    size_t n;
+
+    DEM_TRY(dem_dict_words(dict, "axes", &word, &n));
+    DEM_REQUIRE(n >= 1 && n <= 3, DEM_ERROR_INPUT,
+                "%s: axes with %zu words; give one to three of x y z", dem_dict_where(dict), n);
+    for (size_t k = 0; k < n; k++)
+    {
+        int a = 0;
+
+        while (a < 3 && strcmp(word[k], known[a]) != 0)
+        {
+            a++;
+        }
+        if (a == 3)
+        {
+            return dem_error_prefix(dem_did_you_mean_error("axis", word[k], known, 3), "%s: ",
+                                    dem_dict_where(dict));
+        }
+        for (size_t m = 0; m < k; m++)
+        {
+            DEM_REQUIRE(b->axis[m][a] == 0.0, DEM_ERROR_INPUT,
+                        "%s: axes has %s twice; give each once", dem_dict_where(dict), word[k]);
+        }
+        b->axis[k][a] = 1.0;
+    }
+    b->axes = (int)n;
+    return DEM_OK;
+}
+
+static int read_free(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+{
+    bool weight;
+
+    b->kind = DEM_WALL_BODY_FREE;
+    DEM_TRY(read_positive(dict, "mass", "kg", &b->mass));
+    DEM_TRY(read_damping(dict, "kg/s", 0.0, b));
+    DEM_TRY(dem_dict_switch_or(dict, "weight", true, &weight));
+    b->weighs = weight ? b->mass : 0.0;
+    DEM_TRY(read_load(dict, "force", "N", b));
+    if (dem_dict_has(dict, "axes"))
+    {
+        return read_axes(dict, b);
+    }
+    if (dem_dict_has(dict, "axis") || of->shape == DEM_SHAPE_PLANE)
+    {
+        b->axes = 1;
+        memcpy(b->axis[0], of->normal, sizeof b->axis[0]);
+        return dem_dict_has(dict, "axis") ? dem_scene_read_direction(dict, b->axis[0]) : DEM_OK;
+    }
+    b->axes = 3;
+    for (int k = 0; k < 3; k++)
+    {
+        b->axis[k][k] = 1.0;
+    }
+    return DEM_OK;
+}
+
+/* ---- hinge ----------------------------------------------------------------------------------- */
+
+static int read_stops(const struct dem_dict *dict, struct dem_wall_body *b)
+{
+    const double *angle;
+    size_t n;
+
+    b->stops[0] = -INFINITY;
+    b->stops[1] = INFINITY;
+    if (!dem_dict_has(dict, "stops"))
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_numbers(dict, "stops", "rad", &angle, &n));
+    DEM_REQUIRE(n == 2 && angle[0] <= 0.0 && angle[1] >= 0.0 && angle[0] < angle[1], DEM_ERROR_INPUT,
+                "%s: stops are two angles [rad], the first at most 0, where the wall begins, the second "
+                "at least 0", dem_dict_where(dict));
+    memcpy(b->stops, angle, sizeof b->stops);
+    return DEM_OK;
+}
+
+static int read_hinge(const struct dem_dict *dict, struct dem_wall_body *b)
+{
+    b->kind = DEM_WALL_BODY_HINGE;
+    b->axes = 1;
+    DEM_TRY(dem_dict_vector(dict, "origin", "m", b->origin));
+    DEM_TRY(dem_scene_read_direction(dict, b->axis[0]));
+    DEM_TRY(read_positive(dict, "inertia", "kg m2", &b->mass));
+    DEM_TRY(read_damping(dict, "N m s/rad", 0.0, b));
+    DEM_TRY(read_load(dict, "torque", "N m", b));
+    DEM_TRY(read_stops(dict, b));
+    if (dem_dict_has(dict, "mass"))
+    {
+        DEM_TRY(read_positive(dict, "mass", "kg", &b->weighs));
+        return dem_dict_vector(dict, "centre", "m", b->centre);
+    }
+    return DEM_OK;
+}
+
+/* ---- servo ----------------------------------------------------------------------------------- */
+
+static int read_servo(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+{
+    const bool pressure = dem_dict_has(dict, "pressure");
+
+    b->kind = DEM_WALL_BODY_SERVO;
+    b->axes = 1;
+    DEM_REQUIRE(pressure != dem_dict_has(dict, "force"), DEM_ERROR_INPUT,
+                "%s: give force [N] or pressure [Pa] with area [m2], one of the two",
+                dem_dict_where(dict));
+    DEM_TRY(read_positive(dict, "maxSpeed", "m/s", &b->max_speed));
+    DEM_TRY(read_damping(dict, "kg/s", -1.0, b));
+    if (pressure)
+    {
+        DEM_TRY(read_positive(dict, "area", "m2", &b->area));
+    }
+    DEM_TRY(read_load(dict, pressure ? "pressure" : "force", pressure ? "Pa" : "N", b));
+    if (of->shape == DEM_SHAPE_PLANE && !dem_dict_has(dict, "axis"))
+    {
+        memcpy(b->axis[0], of->normal, sizeof b->axis[0]);
+        return DEM_OK;
+    }
+    return dem_scene_read_direction(dict, b->axis[0]);
+}
+
+int dem_scene_read_body(const struct dem_dict *dict, const char *type, const struct dem_wall *of,
+                        struct dem_wall_body **made)
+{
+    struct dem_wall_body *b;
+
+    *made = NULL;
+    if (strcmp(type, "free") != 0 && strcmp(type, "hinge") != 0 && strcmp(type, "servo") != 0)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(b, 1));
+    *made = b;
+    b->area = 1.0;
+    DEM_TRY(dem_scene_read_times(dict, &b->start, &b->end));
+    DEM_REQUIRE(of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
+                "%s: wall %s is round; only planes and triangles are moved by force",
+                dem_dict_where(dict), of->name);
+    return strcmp(type, "free") == 0    ? read_free(dict, of, b)
+           : strcmp(type, "hinge") == 0 ? read_hinge(dict, b)
+                                        : read_servo(dict, of, b);
+}

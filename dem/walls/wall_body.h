@@ -1,0 +1,126 @@
+/*
+ * wall_body.h -- a wall that is moved by force: free along chosen axes, on a hinge, or pressed by a
+ * servo.
+ *
+ * One law for each free axis, and for the angle of a hinge with inertia and torque in place of mass
+ * and force:
+ *
+ *   v+ = (m v + h (F + f))/(m + c h)
+ *
+ *   v, v+   velocity before and after a kick of length h                                [m/s]
+ *   F       given force, and the weight                                                 [N]
+ *   f       force of the particles in the last sweep                                    [N]
+ *   m, c    mass, damping coefficient                                                   [kg], [kg/s]
+ *
+ * It is the leapfrog of the particles, backward in c, so that m = 0 is allowed. That is the servo:
+ *
+ *   v = (F + f + H)/c,  |v| <= maxSpeed,    dH/dt = (F + f)/tau,  tau = 4 (L/d) Z/K
+ *   c = max(Z, 1.5 (sum eta + K dt/2)),     Z = sum sqrt(k m_p),  K = sum k
+ *
+ *   k, eta  tangent stiffness and damping coefficient of a contact; m_p its particle's mass
+ *   L, d    extent of the particles along the axis; mean diameter of those in contact
+ *   H       makes up for c v of a wall that keeps moving; 0 without contact, and until |F + f| has been
+ *           below F/10 for a passage of sound through the bed, tau/4
+ *
+ * c = Z is the impedance of a bed: a wave that arrives at the wall is not reflected. The lower bound
+ * keeps the wall stable, as dashpots feel its own speed: sum eta + K dt/2 < c. Sums are over the
+ * contacts of the wall; tangential stiffness counts as normal stiffness.
+ *
+ * Limits: free walls and hinges K dt^2 < 0.04 m in each sweep.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_WALLS_WALL_BODY_H
+#define DEM_WALLS_WALL_BODY_H
+
+#include "core/binned_sum.h"
+#include "input/time_table.h"
+#include "walls/pose.h"
+
+enum dem_wall_body_kind
+{
+    DEM_WALL_BODY_FREE,
+    DEM_WALL_BODY_HINGE,
+    DEM_WALL_BODY_SERVO
+};
+
+enum
+{
+    DEM_WALL_BODY_SUMS = 2,       /* binned sums of a sweep */
+    DEM_WALL_BODY_TERMS = DEM_WALL_BODY_SUMS*DEM_BINNED_SUMS
+};
+
+/* sums over the contacts of a wall: force and torque about the origin, then these */
+enum dem_wall_body_term
+{
+    DEM_WALL_BODY_STIFFNESS = DEM_BINNED_SUMS,  /* N/m     K; hinge: N m */
+    DEM_WALL_BODY_IMPEDANCE,                    /* kg/s    Z; N m s */
+    DEM_WALL_BODY_DASHPOT,                      /* kg/s    eta; N m s */
+    DEM_WALL_BODY_CONTACTS,                     /* 1 */
+    DEM_WALL_BODY_DIAMETERS                     /* m */
+};
+
+/* doubles only: a snapshot stores them as they are */
+struct dem_wall_body_state
+{
+    double q[3], before[3];               /* m, rad: displacement along the axes; a step ago */
+    double v[3];                          /* m/s, rad/s */
+    double force[3];                      /* N, N m  of the particles along the axes */
+    double stiffness, impedance, dashpot, contacts, diameter;    /* the sums; mean diameter */
+    double hold, height, near;            /* N, m, s  H; L, 0 before the target is near; for how long */
+    double free_path, free_since;         /* m, s  path since the last contact, and its begin */
+};
+
+enum
+{
+    DEM_WALL_BODY_WORDS = sizeof(struct dem_wall_body_state)/sizeof(double)
+};
+
+struct dem_wall_body
+{
+    enum dem_wall_body_kind kind;
+    double start, end;                    /* s  it rests before and after */
+    int axes;                             /* number of free axes */
+    double axis[3][3], origin[3];         /* unit, orthogonal; m  of a hinge */
+    double mass, damping;                 /* kg or kg m2, kg/s or N m s/rad; damping < 0: not given */
+    double weighs;                        /* kg  for the weight; 0: none */
+    double centre[3];                     /* m   of mass, in the wall's frame: for a hinge */
+    double force[3];                      /* N; N m; a servo's target N */
+    struct dem_time_table *table;         /* of it instead, or NULL */
+    double area;                          /* m2  target = pressure times area; 1 for a force */
+    double max_speed, stops[2];           /* m/s; rad */
+    struct dem_wall_body_state state, backup;
+    struct dem_binned_sum sum[DEM_WALL_BODY_SUMS];    /* of this rank and sweep */
+};
+
+void dem_wall_body_free(struct dem_wall_body *);    /* NULL is allowed */
+
+/* The pose of its frame with the displacements q. */
+void dem_wall_body_pose(const struct dem_wall_body *, const double q[3], struct dem_pose *);
+
+/* Damping coefficient of a servo for steps of dt [s]. */
+double dem_wall_body_servo_damping(const struct dem_wall_body *, double dt);
+
+struct dem_wall_body_kick
+{
+    double time, h, dt;                   /* s: present; of the kick; of the step */
+    double gravity[3], centre[3];         /* m/s2; m, global */
+};
+
+struct dem_wall_body_work                 /* J, in a kick */
+{
+    double loads, lost;                   /* by given forces; in the damping and at stops */
+    double contacts;                      /* by the particles on the wall */
+};
+
+/* v becomes v+. Adds to the work; a servo does not: it is a wall of given motion in the energy
+   balance. */
+void dem_wall_body_kick(struct dem_wall_body *, const struct dem_wall_body_kick *,
+                        struct dem_wall_body_work *);
+
+/* q += dt v, up to a stop. */
+void dem_wall_body_drift(struct dem_wall_body *, double dt, struct dem_wall_body_work *);
+
+double dem_wall_body_kinetic(const struct dem_wall_body *);    /* J */
+
+#endif
