@@ -58,22 +58,11 @@ void Foam::demRun::begin()
 }
 
 
-bool Foam::demRun::plan
-(
-    demCloud& cloud,
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& rho,
-    const volScalarField& mu,
-    const string& limit,
-    const scalar maxCo,
-    const scalar reached,
-    const word& reachedBy
-)
+bool Foam::demRun::plan(demCloud& cloud, const demFlow& flow, const demPlan::step& ahead)
 {
     if (!planned_)
     {
-        cloud.plan(U, gradP, rho, mu, limit, maxCo, reached, reachedBy);
+        cloud.plan(flow, ahead);
         planned_ = true;
     }
     return planOnly_;

@@ -9,18 +9,12 @@
 #include "demColumns.H"
 
 // The particles' part of evolve()
-void Foam::demCloud::advance
-(
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& rho,
-    const volScalarField& mu
-)
+void Foam::demCloud::advance(const demFlow& flow)
 {
-    exchange_.setDensity(rho);
-    budget_.beforePassing(gradP);
-    volume_.passInletsOutlets(U);
-    budget_.countPassed(gradP);
+    exchange_.setDensity(flow.rho);
+    budget_.beforePassing(flow.gradP);
+    volume_.passInletsOutlets(flow.U);
+    budget_.countPassed(flow.gradP);
     if (heat_.valid())
     {
         heat_().countPassed();
@@ -29,11 +23,11 @@ void Foam::demCloud::advance
     // Else in correct()
     if (!particlesFirst_ && (!particles_.twoWay() || particles_.interval() > 0))
     {
-        exchange_.updateAcceleration(U);
+        exchange_.updateAcceleration(flow.U);
     }
 
     // With the weights of the mesh at which the particles were located
-    exchange_.toParticles(U, gradP, rho, mu);
+    exchange_.toParticles(flow);
     if (heat_.valid())
     {
         heat_().toParticles();
@@ -177,20 +171,14 @@ Foam::demCloud::~demCloud()
 }
 
 
-void Foam::demCloud::evolve
-(
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& rho,
-    const volScalarField& mu
-)
+void Foam::demCloud::evolve(const demFlow& flow)
 {
     profile_.end(demProfile::FLUID);
     profile_.countStep();
     particles_.beginStep();
     lastGood_.backup();
 
-    attempt([&] { advance(U, gradP, rho, mu); });
+    attempt([&] { advance(flow); });
 
     reports_.endStep();
     particles_.refresh();
@@ -241,24 +229,14 @@ void Foam::demCloud::correctHeat
 }
 
 
-void Foam::demCloud::plan
-(
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& rho,
-    const volScalarField& mu,
-    const string& limit,
-    const scalar maxCo,
-    const scalar reached,
-    const word& reachedBy
-)
+void Foam::demCloud::plan(const demFlow& flow, const demPlan::step& ahead)
 {
-    exchange_.toParticles(U, gradP, rho, mu);
+    exchange_.toParticles(flow);
     if (heat_.valid())
     {
         heat_().toParticles();
     }
-    plan_.report(U, limit, maxCo, reached, reachedBy);
+    plan_.report(flow.U, ahead);
 }
 
 

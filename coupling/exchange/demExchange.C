@@ -179,38 +179,32 @@ void Foam::demExchange::setDensity(const volScalarField& rho)
 }
 
 
-void Foam::demExchange::toParticles
-(
-    const volVectorField& U,
-    const volVectorField& gradP,
-    const volScalarField& rho,
-    const volScalarField& mu
-)
+void Foam::demExchange::toParticles(const demFlow& flow)
 {
-    gradP_ = gradP;
+    gradP_ = flow.gradP;
     if (!particles_.needsFluid())
     {
         return;
     }
 
-    toColumn(transfer_.sample(U)(), fluid_.velocity);
-    toColumn(particles_.sample(rho)(), fluid_.density);
+    toColumn(transfer_.sample(flow.U)(), fluid_.velocity);
+    toColumn(particles_.sample(flow.rho)(), fluid_.density);
     if (scheme_.wholeDrag())
     {
-        const vectorField hydrostatic(particles_.sample(rho)()*particles_.gravity());
+        const vectorField hydrostatic(particles_.sample(flow.rho)()*particles_.gravity());
         toColumn(hydrostatic, fluid_.pressure_gradient);
     }
     else if (demUnderRelaxation::active(fluid_))
     {
-        underRelaxation().begin(transfer_.sample(gradP)(), withoutFactors_);
+        underRelaxation().begin(transfer_.sample(flow.gradP)(), withoutFactors_);
     }
     else
     {
-        toColumn(transfer_.sample(gradP)(), fluid_.pressure_gradient);
+        toColumn(transfer_.sample(flow.gradP)(), fluid_.pressure_gradient);
     }
     toColumn(transfer_.sample(volume_.field())(), fluid_.void_fraction);
-    toColumn(particles_.sample(mu)(), fluid_.viscosity);
-    quantities_.set(U, mu);
+    toColumn(particles_.sample(flow.mu)(), fluid_.viscosity);
+    quantities_.set(flow.U, flow.mu);
 
     // Slip factor
     for (size_t i = 0; i < fluid_.n; i++)

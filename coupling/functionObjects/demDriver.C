@@ -52,14 +52,16 @@ void Foam::demDriver::reportPlan()
     const bool adjusts =
         time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false);
 
-    cloud_.plan
+    const string limit
     (
-        fluid_.velocity(),
-        fluid_.pressureGradient()(),
-        fluid_.density()(),
-        fluid_.viscosity()(),
         steady_ ? "interval of coupling"
       : adjusts ? "the solver's adjustTimeStep" : "deltaT of controlDict"
+    );
+
+    cloud_.plan
+    (
+        {fluid_.velocity(), fluid_.pressureGradient()(), fluid_.density()(), fluid_.viscosity()()},
+        {limit, 0, 0, word::null}
     );
 }
 
@@ -108,12 +110,9 @@ void Foam::demDriver::evolve()
         heat_->beginStep();
     }
     cloud_.evolve
-    (
-        fluid_.velocity(),
-        fluid_.pressureGradient()(),
-        fluid_.density()(),
-        fluid_.viscosity()()
-    );
+    ({
+        fluid_.velocity(), fluid_.pressureGradient()(), fluid_.density()(), fluid_.viscosity()()
+    });
 }
 
 

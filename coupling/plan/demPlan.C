@@ -144,14 +144,7 @@ Foam::demPlan::demPlan(const demParticles& particles, const demVoidFraction& vol
 {}
 
 
-void Foam::demPlan::report
-(
-    const volVectorField& U,
-    const string& limit,
-    const scalar maxCo,
-    const scalar reached,
-    const word& reachedBy
-)
+void Foam::demPlan::report(const volVectorField& U, const step& fluid)
 {
     const Time& time = mesh_.time();
     const char* text = nullptr;
@@ -160,7 +153,7 @@ void Foam::demPlan::report
     ahead.window = particles_.interval() > 0 ? particles_.interval() : time.deltaTValue();
     ahead.duration =
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
-    ahead.why = limit.c_str();
+    ahead.why = fluid.limit.c_str();
     ahead.cross_section = crossSection();
     ahead.inflow = ahead.cross_section > 0 ? inflow(U)/ahead.cross_section : 0;
     ahead.volume = gSum(mesh_.V().field())/transfer_.fraction();
@@ -174,17 +167,17 @@ void Foam::demPlan::report
 
     // The entering flow has not filled the bed yet; inside the bed it is faster
     const scalar crossing =
-        ahead.inflow > 0 && maxCo > 0
-      ? maxCo*ahead.cell*gMin(volume_.ofFluid().primitiveField())/ahead.inflow
+        ahead.inflow > 0 && fluid.maxCo > 0
+      ? fluid.maxCo*ahead.cell*gMin(volume_.ofFluid().primitiveField())/ahead.inflow
       : GREAT;
     const string throughflow("maxCo, by the inlet's flow through the bed");
-    const scalar longest = min(reached, crossing);
+    const scalar longest = min(fluid.reached, crossing);
 
-    if (reached > 0 && mag(longest - ahead.window) > 0.1*ahead.window)
+    if (fluid.reached > 0 && mag(longest - ahead.window) > 0.1*ahead.window)
     {
         ahead.reached_window = longest;
         ahead.reached_why =
-            crossing < reached ? throughflow.c_str() : reachedBy.c_str();
+            crossing < fluid.reached ? throughflow.c_str() : fluid.reachedBy.c_str();
     }
 
     demCheck(dem_plan(particles_.core(), &ahead, &text));

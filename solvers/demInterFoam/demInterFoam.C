@@ -189,7 +189,7 @@ int main(int argc, char *argv[])
         // One exchange per step: the forces of the particles stay constant during
         // the iterations of the fluids. gradP differs from the one that the particles
         // felt in its dynamic part only; the new density acts in the next step.
-        cloud.evolve(U, gradP, rho, mu());
+        cloud.evolve({U, gradP, rho, mu()});
         const volVectorField weight("weight", rho*gravity);
         #include "interEquations.H"
         #include "continuity.H"

@@ -120,7 +120,7 @@ int main(int argc, char *argv[])
 
         // One exchange per step: the forces of the particles stay constant during
         // the iterations of the fluid
-        cloud.evolve(U, gradP, rho, mu());
+        cloud.evolve({U, gradP, rho, mu()});
         #include "fluidEquations.H"
         #include "continuity.H"
         cloud.correct

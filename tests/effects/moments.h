@@ -1,24 +1,23 @@
 /*
- * moments.h -- contact rows and a sphere on a plane for laws of rolling and twisting, and the
- * claims common to them.
+ * moments.h -- a contact row for laws of rolling and twisting, and the claims common to them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef TESTS_EFFECTS_MOMENTS_H
 #define TESTS_EFFECTS_MOMENTS_H
 
-#include "impacts.h"
+#include "law_rows.h"
 
 static const struct dem_material moments_bead = {"bead", 2500.0, 1e6, .poissons_ratio = 0.25};
 static const double moments_pi = 3.14159265358979324;
 
 /* one row by hand: normal z, R* = 4 mm, m* = 1 g, k_n = 1e4 N/m, overlap 1 um, pressed with 10 N */
-static inline struct impacts_effect *moments_row(struct impacts *w, const struct dem_effect *effect,
+static inline struct rows_effect *moments_row(struct law_rows *w, const struct dem_effect *effect,
                                                  const char *name, double value)
 {
-    impacts_wall(w, &moments_bead, &moments_bead, 0.004);
+    rows_wall(w, &moments_bead, &moments_bead, 0.004);
     w->pair.exponent = 1.5;
-    struct impacts_effect *const l = impacts_add(w, effect, name, value);
+    struct rows_effect *const l = rows_add(w, effect, name, value);
 
     w->b.n = 1;
     w->b.dt = 1e-6;
@@ -32,22 +31,22 @@ static inline struct impacts_effect *moments_row(struct impacts *w, const struct
     return l;
 }
 
-static inline void moments_evaluate(struct impacts *w, struct impacts_effect *l)
+static inline void moments_evaluate(struct law_rows *w, struct rows_effect *l)
 {
     w->b.mx[0] = w->b.my[0] = w->b.mz[0] = 0.0;
     l->effect->apply(l->settings, &w->b, l->history);
 }
 
-static inline double moments_size(const struct impacts *w)
+static inline double moments_size(const struct law_rows *w)
 {
     return sqrt(w->b.mx[0]*w->b.mx[0] + w->b.my[0]*w->b.my[0] + w->b.mz[0]*w->b.mz[0]);
 }
 
 /* common claims: no moment at rest, apart or under attraction; refused without a normal law */
-static inline void moments_common(struct impacts *w, const struct dem_effect *effect,
+static inline void moments_common(struct law_rows *w, const struct dem_effect *effect,
                                 const char *name, double value)
 {
-    struct impacts_effect *l = moments_row(w, effect, name, value);
+    struct rows_effect *l = moments_row(w, effect, name, value);
 
     moments_evaluate(w, l);
     TAP_OK(moments_size(w) == 0.0, "at rest: no moment");
@@ -69,46 +68,6 @@ static inline void moments_common(struct impacts *w, const struct dem_effect *ef
     TAP_OK(dem_effect_prepare(effect, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
     TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN),
            "it is declared as a law of moments that needs the spin");
-}
-
-/* overlap at which a Hertzian contact of body 0 with the plane carries its weight */
-static inline double moments_depth(const struct impacts *w, double weight)
-{
-    return pow(w->mass[0]*weight/impacts_hertz(w), 2.0/3.0);
-}
-
-/*
- * A sphere of 4 mm lies on a plane under 9.81 m/s2 with friction that does not slip, and a law of
- * rolling; more settings by apply_setting(). Returns a time step: a fortieth of the contact time.
- */
-static inline double moments_plane(struct impacts *w, const struct dem_effect *effect,
-                                   const char *name, double value, double friction)
-{
-    impacts_wall(w, &moments_bead, &moments_bead, 0.004);
-    impacts_add(w, &dem_hertz, "impactSpeed", 0.1);
-    impacts_add(w, &dem_dry, "restitution", 0.5);
-    impacts_add(w, &dem_mindlin, "friction", friction);
-    impacts_add(w, effect, name, value);
-    impacts_rest(w, 9.81, moments_depth(w, 9.81));
-    return impacts_contact_time(w, 0.1)/40.0;
-}
-
-/* distance rolled until it first stops, or -1; *time: duration */
-static inline double moments_rest(struct impacts *w, double dt, double speed, double *time)
-{
-    *time = 0.0;
-    w->v[0][0][0] = speed;
-    w->w[0][1][0] = speed/w->radius[0];
-    for (int s = 1; s < 1000000; s++)
-    {
-        impacts_step(w, dt);
-        if (w->v[0][0][0] <= 1e-4*speed)
-        {
-            *time = s*dt;
-            return w->x[0][0][0];
-        }
-    }
-    return -1.0;
 }
 
 #endif

@@ -1,15 +1,13 @@
 /*
- * tangential.h -- a contact row and impacts for friction laws, and the claims common to them.
+ * tangential.h -- a contact row for friction laws, and the claims common to them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef TESTS_EFFECTS_TANGENTIAL_H
 #define TESTS_EFFECTS_TANGENTIAL_H
 
-#include "impacts.h"
+#include "law_rows.h"
 
-/* Kharaz, Gorham, Salman, Powder Technol. 120 (2001) 281: 5 mm aluminium oxide on soda-lime glass
-   at 3.9 m/s */
 static const struct dem_material tangential_oxide =
     {"aluminium oxide", 4000.0, 380e9, .poissons_ratio = 0.23};
 static const struct dem_material tangential_soda =
@@ -18,12 +16,12 @@ static const double tangential_pi = 3.14159265358979324;
 
 /* one row at rest: normal z, R* = 4 mm, overlap 1 um, k_n = 1e6 N/m, fn = 1 kN, no tangential
    damping */
-static inline struct impacts_effect *tangential_row(struct impacts *w, const struct dem_effect *law,
+static inline struct rows_effect *tangential_row(struct law_rows *w, const struct dem_effect *law,
                                                     double friction, double damping)
 {
-    impacts_wall(w, &tangential_oxide, &tangential_soda, 0.004);
+    rows_wall(w, &tangential_oxide, &tangential_soda, 0.004);
     w->pair.exponent = 1.5;
-    struct impacts_effect *const l = impacts_add(w, law, "friction", friction);
+    struct rows_effect *const l = rows_add(w, law, "friction", friction);
 
     apply_setting(law, l->settings, &w->pair, "tangentialDamping", damping);
     w->b.n = 1;
@@ -37,13 +35,13 @@ static inline struct impacts_effect *tangential_row(struct impacts *w, const str
     return l;
 }
 
-static inline void tangential_evaluate(struct impacts *w, struct impacts_effect *l)
+static inline void tangential_evaluate(struct law_rows *w, struct rows_effect *l)
 {
     w->b.fx[0] = w->b.fy[0] = w->b.fz[0] = 0.0;
     l->effect->apply(l->settings, &w->b, l->history);
 }
 
-static inline double tangential_size(const struct impacts *w)
+static inline double tangential_size(const struct law_rows *w)
 {
     return sqrt(w->b.fx[0]*w->b.fx[0] + w->b.fy[0]*w->b.fy[0] + w->b.fz[0]*w->b.fz[0]);
 }
@@ -51,11 +49,11 @@ static inline double tangential_size(const struct impacts *w)
 /* A loaded spring of a pair that spins about n as one body rotates with it and keeps its length.
    Slip at a constant rate in space during the rotation describes a circle, and vanishes after each
    turn. */
-static inline void tangential_rotation(struct impacts *w, const struct dem_effect *law)
+static inline void tangential_rotation(struct law_rows *w, const struct dem_effect *law)
 {
     enum { TURN = 1000 };
     const double angle = 2.0*tangential_pi/TURN, slip = 1e-3;
-    struct impacts_effect *l = tangential_row(w, law, 0.5, 0.0);
+    struct rows_effect *l = tangential_row(w, law, 0.5, 0.0);
 
     w->b.sx[0] = slip;
     tangential_evaluate(w, l);
@@ -97,13 +95,13 @@ static inline void tangential_rotation(struct impacts *w, const struct dem_effec
 
 /* Slip to and fro under a varying normal force: in no step does the stored energy grow by more than
    the work done, with little or much damping. */
-static inline void tangential_energy(struct impacts *w, const struct dem_effect *law)
+static inline void tangential_energy(struct law_rows *w, const struct dem_effect *law)
 {
     static const double eta[] = {0.0, 0.1, 3.0, 30.0};
 
     for (int m = 0; m < 4; m++)
     {
-        struct impacts_effect *const l = tangential_row(w, law, 0.5, 1.0);
+        struct rows_effect *const l = tangential_row(w, law, 0.5, 1.0);
         double worst = 0.0, most = 0.0, before = 0.0;
         int slips = 0;
 
@@ -137,11 +135,11 @@ static inline void tangential_energy(struct impacts *w, const struct dem_effect 
 }
 
 /* sticking, sliding, attraction, separation; the spring has the stiffness k_t */
-static inline void tangential_claims(struct impacts *w, const struct dem_effect *law)
+static inline void tangential_claims(struct law_rows *w, const struct dem_effect *law)
 {
     tangential_rotation(w, law);
     tangential_energy(w, law);
-    struct impacts_effect *l = tangential_row(w, law, 0.5, 0.0);
+    struct rows_effect *l = tangential_row(w, law, 0.5, 0.0);
 
     /* a few rounded factors */
     w->b.sx[0] = 2e-3, w->b.sy[0] = -1e-3;
@@ -197,37 +195,6 @@ static inline void tangential_claims(struct impacts *w, const struct dem_effect 
            dem_error_text());
     w->pair.exponent = 0.0;
     TAP_OK(dem_effect_prepare(law, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
-}
-
-/*
- * The set of Kharaz et al. at this angle from the normal, elastic, 16 phases, `steps` a contact
- * time; the effects after the wall are the caller's. Tangential speed over the one before; *spin
- * about +y; *energy over the one before.
- */
-static inline double tangential_impact(struct impacts *w, double angle, double dt, int most,
-                                      double *spin, double *energy)
-{
-    const double a = angle*tangential_pi/180.0, vn = 3.9*cos(a), vt = 3.9*sin(a);
-    double sum = 0.0;
-
-    w->friction = 0.092;
-    impacts_aim(w, 16, dt, vn);
-    for (int c = 0; c < 16; c++)
-    {
-        w->v[0][0][c] = vt;
-    }
-    TAP_OK(impacts_impact(w, dt, most) > 0, "%g degrees: separates", angle);
-    TAP_NEAR(fmax(w->worst_friction, 0.0), 0.0, 1e-11,
-             "friction was never above mu max(fn, 0)");    /* rounding of 1e3 N */
-    for (int c = 0; c < 16; c++)
-    {
-        const double v = w->v[0][0][c], u = w->v[0][2][c], turn = w->w[0][1][c]*w->radius[0];
-
-        sum += (v*v + u*u + 0.4*turn*turn)/(3.9*3.9)/16.0;
-    }
-    *spin = mean(w->w[0][1], 16);
-    *energy = sum;
-    return mean(w->v[0][0], 16)/vt;
 }
 
 #endif

@@ -10,7 +10,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "laws/bond/bond_springs.h"
-#include "impacts.h"
+#include "law_rows.h"
 
 enum
 {
@@ -20,7 +20,7 @@ enum
 static const struct dem_material rock = {"rock", 2500.0, 1e9, .poissons_ratio = 0.25};
 static const double pi = 3.14159265358979324, kn = 5e11, kt = 2e11, R = 1e-3, lambda = 0.8,
                     strength = 1e6;
-static struct impacts w;
+static struct law_rows w;
 static _Alignas(64) double column[COLUMNS][DEM_BATCH_ROWS];
 static double *history[COLUMNS];
 static double settings[64];
@@ -29,7 +29,7 @@ static void prepare(const char *const *names, const double *values, int n)
 {
     const struct dem_effect *const bond = &dem_bond_linear;
 
-    impacts_spheres(&w, &rock, &rock, R, R);
+    rows_spheres(&w, &rock, &rock, R, R);
     w.pair.exponent = 1.5;
     if (bond->size > sizeof settings)
     {

@@ -1,48 +1,20 @@
 /*
- * test_hooke.c -- the linear normal law: stiffness given or from the speed, duration and overlap
- * of an impact, restitution with dry, step limits.
+ * test_hooke.c -- the linear normal law: stiffness given or from the speed, step limits. Impacts:
+ * physics/test_bounce.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "impacts.h"
+#include "law_rows.h"
 
 static const struct dem_material glass = {"glass", 2500.0, 1e7, .poissons_ratio = 0.3},
                                  stone = {"stone", 2700.0, 5e7, .poissons_ratio = 0.2};
 static const double pi = 3.14159265358979324;
-static struct impacts w;
-
-/* an impact of equal spheres of 1 mm on the spring k, `steps` a contact; attraction -1: no
-   damping */
-static double impact(double k, double v, double e, int attraction, int steps)
-{
-    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    const double dt = pi*sqrt(w.pair.min_mass/k)/steps;
-
-    impacts_add(&w, &dem_hooke, "stiffness", k);
-    if (attraction >= 0)
-    {
-        struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", e);
-
-        apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", attraction);
-    }
-    impacts_aim(&w, 16, dt, v);
-    return impacts_impact(&w, dt, 20*steps) > 0 ? impacts_rebound_speed(&w)/v : NAN;
-}
-
-/* restitution of a linear spring with a dashpot that cannot attract: the contact ends where the
-   force is zero */
-static double clamped(double e)
-{
-    const double L = -log(e), z = L/sqrt(pi*pi + L*L), s = sqrt(1.0 - z*z),
-                 angle = atan2(2.0*z*s, s*s - z*z);
-
-    return exp(-z/s*(pi - angle));
-}
+static struct law_rows w;
 
 static void law(void)
 {
-    impacts_spheres(&w, &glass, &stone, 1e-3, 3e-3);
-    struct impacts_effect *const l = impacts_add(&w, &dem_hooke, "stiffness", 1000.0);
+    rows_spheres(&w, &glass, &stone, 1e-3, 3e-3);
+    struct rows_effect *const l = rows_add(&w, &dem_hooke, "stiffness", 1000.0);
 
     w.b.n = 2;
     w.b.touching[0] = 1.0, w.b.overlap[0] = 1e-5;
@@ -72,8 +44,8 @@ static void law(void)
     }
     /* the reference pair of the note: E* 5.4945055e6 Pa, R* 0.5 mm, m* 5.2359878e-6 kg at 1 m/s;
        ten digits printed */
-    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    struct impacts_effect *const reference = impacts_add(&w, &dem_hooke, "impactSpeed", 1.0);
+    rows_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    struct rows_effect *const reference = rows_add(&w, &dem_hooke, "impactSpeed", 1.0);
 
     w.b.n = 1;
     w.b.touching[0] = 1.0;
@@ -82,31 +54,12 @@ static void law(void)
     TAP_NEAR(w.b.kn[0], 1090.8212625, 1e-7, "the reference pair: 1090.8212625 N/m");
 }
 
-static void impacts(void)
-{
-    const double k = 1000.0, v = 0.5, unit = sqrt(0.5*sphere_mass(1e-3, 2500.0)/k);
-
-    TAP_NEAR(impact(k, v, 1.0, -1, 400), 1.0, 1e-4,
-             "no speed lost");              /* second order: (1/400)^2 = 6e-6 */
-    TAP_NEAR(mean(w.peak_overlap, 16), v*unit, 1e-4*v*unit,
-             "overlap v sqrt(m/k)");/* the peak lies within half a step */
-    /* counted in whole steps */
-    TAP_NEAR(w.steps_touching[0], 400, 2, "steps of contact");
-    for (double e = 0.1; e < 0.95; e += 0.2)
-    {
-        /* first order in the step with a dashpot, see test_dry; a tenth of it at t_c/4000 */
-        TAP_NEAR(impact(k, v, e, 0, 4000), e, 1e-4, "restitution %g", e);
-        TAP_NEAR(impact(k, v, e, 1, 4000), clamped(e), 1e-4, "clamped: %.4f comes out for %g",
-                 clamped(e), e);
-    }
-}
-
 static void limits(void)
 {
     const char *why = "";
 
-    impacts_spheres(&w, &glass, &glass, 1e-3, 1e-3);
-    struct impacts_effect *const l = impacts_add(&w, &dem_hooke, "stiffness", 1000.0);
+    rows_spheres(&w, &glass, &glass, 1e-3, 1e-3);
+    struct rows_effect *const l = rows_add(&w, &dem_hooke, "stiffness", 1000.0);
     const double contact = 0.05*pi*sqrt(w.pair.min_mass/1000.0);
 
     /* rounding, also of dem_pow */
@@ -138,7 +91,6 @@ int main(void)
 {
     TAP_TRAPS;
     law();
-    impacts();
     limits();
     TAP_DONE;
 }

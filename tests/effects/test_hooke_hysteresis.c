@@ -1,24 +1,23 @@
 /*
  * test_hooke_hysteresis.c -- the hysteretic linear law (Luding 2008): a scripted path has the forces,
- * history and work of an independent program (hysteresis_loop.csv); impacts return the closed form of
- * e(v) or stick; k_m = k and phi = 0 are linear springs; friction has the limit mu (F_n + k_c d).
- * Closed loops are in test_loops.c, the energy of a pair that sticks in stability/22.
+ * history and work of an independent program (hysteresis_loop.csv); k_m = k and phi = 0 are linear springs; friction has the limit mu (F_n + k_c d).
+ * A pair that sticks: stability/22.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "impacts.h"
+#include "law_rows.h"
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double pi = 3.14159265358979324;
-static struct impacts w;
+static struct law_rows w;
 
 /* the reference pair: two spheres of 1 mm radius, k_m = 5 k, phi = 0.05, k from 1 m/s */
 static const double k = 1090.8212625, d_lim = 6.25e-5;
 
-static struct impacts_effect *pair_of(double unloading, double adhesion, double depth)
+static struct rows_effect *pair_of(double unloading, double adhesion, double depth)
 {
-    impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
-    struct impacts_effect *const l = impacts_add(&w, &dem_hooke_hysteresis, "unloading", unloading);
+    rows_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    struct rows_effect *const l = rows_add(&w, &dem_hooke_hysteresis, "unloading", unloading);
 
     apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "adhesion", adhesion);
     apply_setting(&dem_hooke_hysteresis, l->settings, &w.pair, "plasticDepth", depth);
@@ -34,7 +33,7 @@ static struct impacts_effect *pair_of(double unloading, double adhesion, double 
 
 /* the force of row 0 at this overlap; history is cleared where surfaces are apart, as in the
    core */
-static double at(struct impacts_effect *l, double overlap)
+static double at(struct rows_effect *l, double overlap)
 {
     w.b.overlap[0] = overlap > 0.0 ? overlap : 0.0;
     w.b.touching[0] = overlap > 0.0 ? 1.0 : 0.0;
@@ -45,7 +44,7 @@ static double at(struct impacts_effect *l, double overlap)
 }
 
 /* to this overlap in 1000 increments, work by the trapezoidal rule */
-static double load_to(struct impacts_effect *l, double *from, double to, double *work)
+static double load_to(struct rows_effect *l, double *from, double to, double *work)
 {
     const double start = *from;
     double force = at(l, start);
@@ -67,7 +66,7 @@ static void path(void)
 {
     static const double turn[] = {0.5, 0.3, 0.5, 0.8, 0.2, 0.05, 0.4, 0.8, 1.0, 1.5,
                                   1.1, 0.7, 0.3, 0.1, 0.6, 1.2, 0.0, 0.2, 0.0};
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
+    struct rows_effect *const l = pair_of(5.0, 1.0, 0.05);
     FILE *const table = fopen("effects/hysteresis_loop.csv", "r");
     double work = 0.0, before = 0.0, d = 0.0;
     double worst[3] = {0.0, 0.0, 0.0};
@@ -107,69 +106,11 @@ static void path(void)
     TAP_NEAR(worst[2], 0.0, 1e-8*k*d_lim*d_lim, "work");
 }
 
-/* ---- impacts --------------------------------------------------------------------------------- */
-
-/* e^2 in closed form; negative: sticks */
-static double returned(double adhesion, double x)
-{
-    const double hard = x > 1.0 ? 5.0 : 1.0 + 4.0*x, kc = adhesion;
-    const double lost = 1.0 - 1.0/hard + kc*(hard - 1.0)*(hard - 1.0)/(hard*(hard + kc));
-
-    return 1.0 - lost/(x > 1.0 ? x*x : 1.0);
-}
-
-static void impacts(void)
-{
-    static const double adhesion[] = {0.0, 0.2, 1.0, 5.0};
-    static const double speed[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8,
-                                   1.0, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0};
-    /* four of them from the independent program: adhesion, speed, e */
-    static const double table[][3] = {{0.2, 0.5, 0.5},
-                                      {1.0, 1.2, 0.272165527},
-                                      {5.0, 2.0, 0.632455532},
-                                      {1.0, 3.0, 0.922958207}};
-
-    for (int t = 0; t < 4; t++)
-    {
-        TAP_NEAR(sqrt(returned(table[t][0], table[t][1])), table[t][2], 1e-8,
-                 "closed form: k_c/k %g, v/v_lim %g", table[t][0],
-                 /* nine digits printed */
-                 table[t][1]);
-    }
-    for (int a = 0; a < 4; a++)
-    {
-        for (int s = 0; s < (int)(sizeof speed/sizeof speed[0]); s++)
-        {
-            pair_of(5.0, adhesion[a], 0.05);
-            const double m = w.pair.min_mass, v = speed[s]*d_lim*sqrt(k/m),
-                         dt = pi*sqrt(m/(5.0*k))/50.0;
-            const double expected = returned(adhesion[a], speed[s]);
-
-            if (fabs(expected) < 0.01)
-            {
-                continue;                                 /* at the limit of sticking */
-            }
-            impacts_aim(&w, 16, dt, v);
-            const int steps = impacts_impact(&w, dt, 3000);
-
-            if (expected < 0.0)
-            {
-                TAP_OK(steps < 0, "k_c/k %g, v/v_lim %g: sticks", adhesion[a], speed[s]);
-                continue;
-            }
-            /* at a usual step, t_c(k_m)/50: the mean over the phases of contact within 0.005 */
-            TAP_OK(steps > 0, "k_c/k %g, v/v_lim %g: separates", adhesion[a], speed[s]);
-            TAP_NEAR(impacts_rebound_speed(&w)/v, sqrt(expected), 5e-3, "with e = %.4f",
-                     sqrt(expected));
-        }
-    }
-}
-
 /* ---- other claims -------------------------------------------------------------------------------- */
 
 static void evaluated_twice(void)
 {
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05);
+    struct rows_effect *const l = pair_of(5.0, 1.0, 0.05);
     static const double turn[] = {0.7, 0.5, 0.2, 0.05, 0.3, 1.3, 0.8, 0.1};
     double worst = 0.0, d = 0.0, unused = 0.0;
 
@@ -186,7 +127,7 @@ static void evaluated_twice(void)
 
 static void limits_of_law(void)
 {
-    struct impacts_effect *l = pair_of(1.0, 1.0, 0.05);
+    struct rows_effect *l = pair_of(1.0, 1.0, 0.05);
     double d = 0.0, work = 0.0;
 
     TAP_NEAR(load_to(l, &d, d_lim, &work), k*d_lim, 1e-9*k*d_lim, "k_m = k: a linear spring");
@@ -211,7 +152,7 @@ static void limits_of_law(void)
 
     /* with dry the dashpot refers to k; clamped it does not change the attraction of adhesion */
     l = pair_of(5.0, 1.0, 0.05);
-    struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", 0.5);
+    struct rows_effect *const dry = rows_add(&w, &dem_dry, "restitution", 0.5);
 
     apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", 1.0);
     d = 0.0;
@@ -230,31 +171,12 @@ static void limits_of_law(void)
     TAP_OK(pull < 0.0, "dry, clamped: this is an attraction");
 }
 
-/* With attraction none the contact never pulls, not even on the adhesive branch: unloading returns
-   (k d_max)^2/(2 k_2) for any k_c, so e is the same as for k_c = 0, sqrt(k/k_2) below v_lim (Walton
-   and Braun), where the contact would stick with its adhesion. Friction at zero force is zero. */
+/* with attraction none the contact never pulls, not even on the adhesive branch */
 static void no_tension(void)
 {
-    static const double speed[] = {0.1, 0.5, 1.0, 2.0};
-
-    for (int s = 0; s < 4; s++)
-    {
-        pair_of(5.0, 5.0, 0.05);
-        const double m = w.pair.min_mass, v = speed[s]*d_lim*sqrt(k/m),
-                     dt = pi*sqrt(m/(5.0*k))/200.0, expected = sqrt(returned(0.0, speed[s]));
-        struct impacts_effect *const dry = impacts_add(&w, &dem_dry, "restitution", 1.0);
-
-        apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", 2.0);
-        impacts_aim(&w, 16, dt, v);
-        TAP_OK(impacts_impact(&w, dt, 12000) > 0, "no tension, v/v_lim %g: separates", speed[s]);
-        /* a quarter of the step of the other impacts: 0.005 there */
-        TAP_NEAR(impacts_rebound_speed(&w)/v, expected, 2e-3, "no tension: e = %.4f, k_c = 5 k",
-                 expected);
-    }
-
     double d = 0.0, work = 0.0;
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const dry =
-                                                                  impacts_add(&w, &dem_dry,
+    struct rows_effect *const l = pair_of(5.0, 1.0, 0.05), *const dry =
+                                                                  rows_add(&w, &dem_dry,
                                                                               "restitution", 1.0);
     apply_setting(&dem_dry, dry->settings, &w.pair, "attraction", 2.0);
     load_to(l, &d, 0.8*d_lim, &work);
@@ -269,8 +191,8 @@ static void no_tension(void)
    attraction; or mu max(F_n, 0) */
 static void friction(void)
 {
-    struct impacts_effect *const l = pair_of(5.0, 1.0, 0.05), *const friction_effect =
-                                                                  impacts_add(&w, &dem_linear,
+    struct rows_effect *const l = pair_of(5.0, 1.0, 0.05), *const friction_effect =
+                                                                  rows_add(&w, &dem_linear,
                                                                               "friction", 0.4);
     double d = 0.0, work = 0.0, limit = 0.0;
     const double k_2 = 1.0 + 4.0*0.8,
@@ -299,7 +221,6 @@ int main(void)
     TAP_TRAPS;
     friction();
     path();
-    impacts();
     evaluated_twice();
     limits_of_law();
     no_tension();

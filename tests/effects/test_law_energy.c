@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "impacts.h"
+#include "law_rows.h"
 
 #include "core/random.h"
 
@@ -15,10 +15,10 @@ enum
 
 static const struct dem_material bead = {"bead", 2500.0, 1e7, .poissons_ratio = 0.3};
 static const double dt = 1e-6, deepest = 5e-5, apart = 5e-6;        /* s, m, m */
-static struct impacts w;
+static struct law_rows w;
 static struct dem_energy e;
-static struct impacts_effect *normal, *law;
-static _Alignas(64) double column[IMPACTS_HISTORY][DEM_BATCH_ROWS];
+static struct rows_effect *normal, *law;
+static _Alignas(64) double column[ROWS_HISTORY][DEM_BATCH_ROWS];
 
 static const struct known
 {
@@ -40,7 +40,7 @@ static double drawn(int row, int leg, int use)
 
 static void start(const struct dem_effect *normal_law, const struct known *k)
 {
-    impacts_spheres(&w, &bead, &bead, 1e-3, 1e-3);
+    rows_spheres(&w, &bead, &bead, 1e-3, 1e-3);
     w.b.n = DEM_BATCH_ROWS;
     w.b.dt = dt;
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
@@ -53,9 +53,9 @@ static void start(const struct dem_effect *normal_law, const struct known *k)
         e.slip_mass[c] = e.inertia[c] =
             HUGE_VAL;         /* prescribed motion: no force changes it */
     }
-    normal = impacts_add(&w, normal_law, normal_law == &dem_hooke ? "stiffness" : "impactSpeed",
+    normal = rows_add(&w, normal_law, normal_law == &dem_hooke ? "stiffness" : "impactSpeed",
                          normal_law == &dem_hooke ? 1e3 : 1.0);
-    law = impacts_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
+    law = rows_add(&w, k->effect, "friction", k->effect == &dem_rolling_spring ? 0.2 : 0.4);
     if (strcmp(k->setting, "friction") != 0)
     {
         apply_setting(k->effect, law->settings, &w.pair, k->setting, k->value);
@@ -77,12 +77,12 @@ static void place(int c, double overlap, double x, double y, double z)
 /* as the core's loop over contacts */
 static void evaluate(void)
 {
-    double *before[IMPACTS_HISTORY];
+    double *before[ROWS_HISTORY];
 
     memcpy(column, law->column, sizeof column);
     normal->effect->apply(normal->settings, &w.b, normal->history);
     law->effect->apply(law->settings, &w.b, law->history);
-    for (int m = 0; m < IMPACTS_HISTORY; m++)
+    for (int m = 0; m < ROWS_HISTORY; m++)
     {
         before[m] = column[m];
         for (int c = 0; c < DEM_BATCH_ROWS; c++)

@@ -1,18 +1,17 @@
 /*
  * test_mindlin.c -- friction with Mindlin's stiffness: a spring of 8 G* sqrt(R* d) that sticks, slides
- * at mu max(F_n, 0), rotates with the pair and stays in the contact plane. Oblique impacts have the
- * speeds and spins of an independent integration (Kharaz, Gorham, Salman, Powder Technol. 120 (2001)
- * 281).
+ * at mu max(F_n, 0), rotates with the pair and stays in the contact plane. Impacts:
+ * physics/test_chung_ooi.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tangential.h"
 
-static struct impacts w;
+static struct law_rows w;
 
 static void stiffness(void)
 {
-    struct impacts_effect *l = tangential_row(&w, &dem_mindlin, 0.5, 0.0);
+    struct rows_effect *l = tangential_row(&w, &dem_mindlin, 0.5, 0.0);
     const double kt = 8.0*w.pair.reduced_shear*sqrt(0.004*1e-6);
 
     w.b.sx[0] = 1e-3;
@@ -46,7 +45,7 @@ static void stiffness(void)
  */
 static double rotate_pair(int steps, double step, double swing, double *lean, double *back)
 {
-    struct impacts_effect *const l = tangential_row(&w, &dem_mindlin, 1.0, 0.0);
+    struct rows_effect *const l = tangential_row(&w, &dem_mindlin, 1.0, 0.0);
     double worst = 0.0, before[2] = {1.0, 0.0};
 
     w.b.fn[0] = 1e9;                                      /* sticks */
@@ -98,48 +97,11 @@ static void rotation(void)
     TAP_NEAR(lean, 0.0, 1e-15, "oscillating distance: it stays in the plane");
 }
 
-/* ---- impacts --------------------------------------------------------------------------------- */
-
-/*
- * Angle from the normal, tangential restitution, spin: an independent integration of the same law
- * with 12000 steps. Near the normal the secant law returns more tangential speed than before, and a
- * spin of the opposite sign.
- */
-static const double kharaz[][3] = {
-    {2.0, 1.0006378, -0.086806086}, {5.0, 0.94875088, 17.419954}, {10.0, 0.69698558, 205.20981},
-    {15.0, 0.62856072, 374.92869},  {20.0, 0.61848406, 508.89593}, {25.0, 0.63613519, 599.72606},
-    {30.0, 0.68130265, 621.45983}, {35.0, 0.73722077, 587.82351}, {45.0, 0.816, 507.41983},
-    {60.0, 0.89376755, 358.8}, {80.0, 0.96755584, 124.60993},
-};
-
-static void oblique(void)
-{
-    for (int k = 0; k < (int)(sizeof kharaz/sizeof kharaz[0]); k++)
-    {
-        double spin, energy;
-
-        impacts_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
-        const double dt = impacts_contact_time(&w, 3.9*cos(kharaz[k][0]*tangential_pi/180.0))/4000.0;
-
-        impacts_add(&w, &dem_hertz, "impactSpeed", 4.0);
-        impacts_add(&w, &dem_mindlin, "friction", 0.092);
-        const double et = tangential_impact(&w, kharaz[k][0], dt, 8000, &spin, &energy);
-
-        /* the first step loads the spring with its whole slip however late in it contact began:
-           half a step in 4000 on average, relevant only where the contact sticks from the start (2
-           degrees: 5e-5 of the speed, 0.006 1/s) */
-        TAP_NEAR(et, kharaz[k][1], 2e-4, "%g degrees: tangential restitution %.4f", kharaz[k][0],
-                 kharaz[k][1]);
-        TAP_NEAR(spin, kharaz[k][2], 0.02, "%g degrees: spin %.1f 1/s", kharaz[k][0], kharaz[k][2]);
-    }
-}
-
 int main(void)
 {
     TAP_TRAPS;
     stiffness();
     tangential_claims(&w, &dem_mindlin);
     rotation();
-    oblique();
     TAP_DONE;
 }

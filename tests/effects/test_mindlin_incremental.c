@@ -1,16 +1,15 @@
 /*
  * test_mindlin_incremental.c -- incremental friction keeps its force under compression, loses
- * energy in cycles in which mindlin gains, and gives the oblique impacts of an independent
- * integration.
+ * energy in cycles in which mindlin gains. Impacts: physics/test_chung_ooi.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "tangential.h"
 
-static struct impacts w;
+static struct law_rows w;
 
 /* one step at this overlap and slip; the force */
-static double step(struct impacts_effect *l, double overlap, double slip)
+static double step(struct rows_effect *l, double overlap, double slip)
 {
     w.b.overlap[0] = overlap;
     w.b.sx[0] = slip/1e-6;
@@ -20,7 +19,7 @@ static double step(struct impacts_effect *l, double overlap, double slip)
 
 static void pressing(void)
 {
-    struct impacts_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 100.0, 0.0);
+    struct rows_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 100.0, 0.0);
     const double k = 8.0*w.pair.reduced_shear*sqrt(0.004*1e-6);
 
     /* a few rounded factors */
@@ -37,7 +36,7 @@ static void pressing(void)
    decompression */
 static double cycle(const struct dem_effect *law)
 {
-    struct impacts_effect *const l = tangential_row(&w, law, 1e2, 0.0);
+    struct rows_effect *const l = tangential_row(&w, law, 1e2, 0.0);
     double work = 0.0, before = 0.0;
 
     w.b.fn[0] = 1e9;                                      /* sticks */
@@ -68,47 +67,14 @@ static void cycles(void)
            cycle(&dem_mindlin_incremental));
 }
 
-static void oblique(void)
-{
-    /* angle, tangential restitution, spin: an independent integration of this law, 80000 steps a
-       contact */
-    static const double table[][3] = {
-        {0.5, 0.87801199, 4.1516777}, {2.0, 0.87652569, 16.805846}, {5.0, 0.85994421, 47.605999},
-        {10.0, 0.70951837, 196.72226}, {15.0, 0.63014891, 373.32557}, {20.0, 0.61848406, 508.89593},
-        {25.0, 0.63613519, 599.72606}, {30.0, 0.68130265, 621.45983}, {35.0, 0.73722077, 587.82351},
-        {45.0, 0.816, 507.41983}, {60.0, 0.89376755, 358.8},
-    };
-
-    for (int t = 0; t < (int)(sizeof table/sizeof table[0]); t++)
-    {
-        double spin, energy;
-
-        impacts_wall(&w, &tangential_oxide, &tangential_soda, 0.0025);
-        const double dt = impacts_contact_time(&w, 3.9*cos(table[t][0]*tangential_pi/180.0))/4000.0;
-
-        impacts_add(&w, &dem_hertz, "impactSpeed", 4.0);
-        impacts_add(&w, &dem_mindlin_incremental, "friction", 0.092);
-        const double et = tangential_impact(&w, table[t][0], dt, 8000, &spin, &energy);
-
-        /* first order in the step where it sticks: from 20000 to 80000 steps the independent one
-           changes by 2.5e-5 and by 0.009 1/s (at 5 degrees), so at 4000 steps 1.7e-4 and 0.06 are
-           left */
-        TAP_NEAR(et, table[t][1], 3e-4, "%g degrees: tangential restitution %.4f", table[t][0],
-                 table[t][1]);
-        TAP_NEAR(spin, table[t][2], 0.08, "%g degrees: spin %.1f 1/s", table[t][0], table[t][2]);
-        TAP_OK(energy < 1.0, "%g degrees: energy is lost, %.7f is left", table[t][0], energy);
-    }
-}
-
 int main(void)
 {
     TAP_TRAPS;
     pressing();
     tangential_claims(&w, &dem_mindlin_incremental);
     cycles();
-    oblique();
 
-    struct impacts_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 0.5, 0.0);
+    struct rows_effect *const l = tangential_row(&w, &dem_mindlin_incremental, 0.5, 0.0);
 
     w.pair.reduced_shear = 0.0;
     TAP_OK(dem_mindlin_incremental.prepare(l->settings, &w.pair) == DEM_ERROR_INPUT, "%s",

@@ -3,17 +3,17 @@
  *
  * - The torque is mu_r R* max(F_n, 0) against the rolling component of the relative spin, at any
  *   speed, and never reverses the spin in a step; none at rest.
- * - A sphere that rolls on a plane stops after 7 v^2/(10 mu_r g) and stays.
+ * - A sphere on a plane: physics/test_moments.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "moments.h"
 
-static struct impacts w;
+static struct law_rows w;
 
 static void torque(void)
 {
-    struct impacts_effect *const l = moments_row(&w, &dem_rolling_constant, "friction", 0.1);
+    struct rows_effect *const l = moments_row(&w, &dem_rolling_constant, "friction", 0.1);
 
     /* rounding */
     w.b.wx[0] = 30.0, w.b.wy[0] = 40.0, w.b.wz[0] = 1e3;
@@ -38,37 +38,10 @@ static void torque(void)
     TAP_OK(moments_size(&w) == 0.0, "twist alone: no torque");
 }
 
-static void rest(void)
-{
-    static const double mu[] = {0.005, 0.02}, speed[] = {0.05, 0.1};
-
-    for (int k = 0; k < 2; k++)
-    {
-        const double dt = moments_plane(&w, &dem_rolling_constant, "friction", mu[k], 10.0);
-        double time;
-        const double distance = moments_rest(&w, dt, speed[k], &time);
-
-        /* stopped at 1e-4 of the speed; the contact's spring elongates by a few 1e-4 of the
-           distance at the onset of the torque */
-        TAP_NEAR(distance/(0.7*speed[k]*speed[k]/(mu[k]*9.81)), 1.0, 1e-3,
-                 "mu_r %g: rolls %.4f m", mu[k], distance);
-        TAP_NEAR(time/(1.4*speed[k]/(mu[k]*9.81)), 1.0, 1e-3, "in %.4f s", time);
-        for (int s = 0; s < 20000; s++)
-        {
-            impacts_step(&w, dt);
-        }
-        TAP_NEAR(w.x[0][0][0], distance, 1e-4*distance, "it stays there");
-        TAP_NEAR(w.w[0][1][0], 0.0, 1e-9*speed[k]/0.004, "at rest: spin %g 1/s",
-                 w.w[0][1][0]);
-        TAP_NEAR(w.v[0][0][0], 0.0, 1e-9*speed[k], "at rest: speed %g m/s", w.v[0][0][0]);
-    }
-}
-
 int main(void)
 {
     TAP_TRAPS;
     torque();
     moments_common(&w, &dem_rolling_constant, "friction", 0.1);
-    rest();
     TAP_DONE;
 }

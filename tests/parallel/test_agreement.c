@@ -13,37 +13,18 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "parallel/ranks.h"
+
 #include "case/internal.h"
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-static int rank, ranks, failed;
 static long reductions;
 
 int MPI_Allreduce(const void *in, void *out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm)
 {
     reductions++;
     return PMPI_Allreduce(in, out, n, type, op, comm);
-}
-
-static void check(int holds, const char *what, double found, double expected)
-{
-    if (!holds)
-    {
-        printf("# rank %d of %d: %s: found %.17g, expected %.17g: %s\n", rank, ranks, what, found,
-               expected, dem_error_text());
-        failed = 1;
-    }
-}
-
-static void try(int status)
-{
-    if (status)
-    {
-        printf("# rank %d: %s\n", rank, dem_error_text());
-        MPI_Abort(MPI_COMM_WORLD, 1);
-    }
 }
 
 /* `time`: entries of time; velocity [m/s] along x and down. */
@@ -155,13 +136,9 @@ static void stops(void)
 
 int main(int argc, char **argv)
 {
-    MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    ranks_begin(&argc, &argv);
     counts();
     too_fast();
     stops();
-    PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return failed;
+    return ranks_end();
 }

@@ -12,29 +12,18 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "parallel/ranks.h"
+
 #include "core/random.h"
 #include "ranks/decomposition.h"
 #include "ranks/load_balance.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 enum
 {
     EACH = 20000
 };
-
-static int rank, ranks, failed;
-
-static void check(int holds, const char *what, double found, double expected)
-{
-    if (!holds)
-    {
-        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found,
-               expected);
-        failed = 1;
-    }
-}
 
 /* Particles of all ranks lie anywhere in a box of 3 x 1 x 2, those beyond x = 1 weigh ten times as
    much. */
@@ -129,15 +118,11 @@ int main(int argc, char **argv)
 {
     struct dem_decomposition decomposition;
 
-    MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    ranks_begin(&argc, &argv);
     check(ranks > 1, "ranks; run it on two or more", ranks, 2);
     check(dem_decomposition_init(&decomposition, MPI_COMM_WORLD, rank, ranks) == 0, "pieces", 0, 0);
     shares(&decomposition);
     prices(&decomposition);
     dem_decomposition_free(&decomposition);
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return failed;
+    return ranks_end();
 }

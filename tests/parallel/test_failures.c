@@ -16,12 +16,13 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "parallel/ranks.h"
+
 #include "dem_fluid.h"
 #include "dem_tables.h"
 #include "case/dem_case.h"
 #include "core/memory.h"
 #include "ranks/collect.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -32,25 +33,12 @@ enum
     LIMIT = 60    /* s  a rank that waits for so long in one trial ends the test */
 };
 
-static int rank, ranks, failed;
-
-static void check(int holds, const char *what, const char *of, double found, double expected)
+static void check_of(int holds, const char *what, const char *of, double found, double expected)
 {
-    if (!holds)
-    {
-        printf("# rank %d of %d: %s, %s: found %g, expected %g: %s\n", rank, ranks, of, what, found,
-               expected, dem_error_text());
-        failed = 1;
-    }
-}
+    char text[256];
 
-static void try(int status)
-{
-    if (status)
-    {
-        printf("# rank %d: %s\n", rank, dem_error_text());
-        MPI_Abort(MPI_COMM_WORLD, 1);
-    }
+    snprintf(text, sizeof text, "%s, %s", of, what);
+    check(holds, text, found, expected);
 }
 
 /* ---- faults ---------------------------------------------------------------------------------- */
@@ -415,10 +403,10 @@ static void mpi_errors(void)
         snprintf(name, sizeof name, "%s fails in %s", t->broken, t->name);
         snprintf(call_name, sizeof call_name, "%.*s failed", (int)strcspn(t->broken, " "),
                  t->broken);
-        check(status == DEM_ERROR_MPI, "status", name, status, DEM_ERROR_MPI);
-        check(strstr(dem_error_text(), call_name) != NULL, "the message names the call", name, 0,
+        check_of(status == DEM_ERROR_MPI, "status", name, status, DEM_ERROR_MPI);
+        check_of(strstr(dem_error_text(), call_name) != NULL, "the message names the call", name, 0,
               1);
-        check(strstr(dem_error_text(), "root") != NULL, "the message has the text of MPI", name, 0,
+        check_of(strstr(dem_error_text(), "root") != NULL, "the message has the text of MPI", name, 0,
               1);
         end(&m);
     }
@@ -448,9 +436,9 @@ static void memory(const struct trial *t, struct dem_case *(*create_case)(int en
         last_allocation = -1;
         PMPI_Allreduce(MPI_IN_PLACE, all, 2, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
         PMPI_Bcast(&done, 1, MPI_INT, 1, MPI_COMM_WORLD);
-        check(all[0] + all[1] == 1, "ranks that fail, and others that do not, without memory",
+        check_of(all[0] + all[1] == 1, "ranks that fail, and others that do not, without memory",
               t->name, (double)k, 0);
-        check(done == (all[0] == 0), "fails without memory", t->name, all[0], !done);
+        check_of(done == (all[0] == 0), "fails without memory", t->name, all[0], !done);
         end(&m);
         PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     }
@@ -514,7 +502,7 @@ static void wrong_counts(void)
         const int status = make_call(&trials[k], &m);
 
         triangles = 1;
-        check(status == DEM_ERROR_INPUT, "one rank gives -1 triangles", trials[k].name, status,
+        check_of(status == DEM_ERROR_INPUT, "one rank gives -1 triangles", trials[k].name, status,
               DEM_ERROR_INPUT);
         end(&m);
     }
@@ -532,13 +520,13 @@ static void reductions(const struct dem_decomposition *p)
     dem_collect_max_int64(p, &max, 1);
     dem_collect_min_double(p, &min, 1);
     dem_collect_sum_before(p, &own, &before, 1);
-    check(sum == ranks*(ranks + 1)/2, "sum", "collect", (double)sum, ranks*(ranks + 1)/2);
-    check(max == ranks, "maximum", "collect", (double)max, ranks);
-    check(min == 0.0, "minimum", "collect", min, 0);
-    check(before == rank*(rank + 1)/2, "sum of lower ranks", "collect", (double)before,
+    check_of(sum == ranks*(ranks + 1)/2, "sum", "collect", (double)sum, ranks*(ranks + 1)/2);
+    check_of(max == ranks, "maximum", "collect", (double)max, ranks);
+    check_of(min == 0.0, "minimum", "collect", min, 0);
+    check_of(before == rank*(rank + 1)/2, "sum of lower ranks", "collect", (double)before,
           rank*(rank + 1)/2);
-    check(dem_collect_agree(p, DEM_OK) == DEM_OK, "agreement", "collect", 1, 0);
-    check(dem_collect_agree(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK) ==
+    check_of(dem_collect_agree(p, DEM_OK) == DEM_OK, "agreement", "collect", 1, 0);
+    check_of(dem_collect_agree(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK) ==
               DEM_ERROR_INPUT,
           "agreement on an error", "collect", 0, 1);
 }
@@ -557,25 +545,25 @@ static void gathers(const struct dem_decomposition *p)
         item[k] = rank;
     }
     try(dem_collect_gather(p, DEM_OK, &own, &all, &n));
-    check(n == (size_t)(ranks*(ranks - 1)/2), "items", "gather", (double)n, ranks*(ranks - 1)/2);
+    check_of(n == (size_t)(ranks*(ranks - 1)/2), "items", "gather", (double)n, ranks*(ranks - 1)/2);
     x = all;
     for (int k = 0, at = 0; k < ranks; k++)
     {
         for (int m = 0; m < 3*k; m++, at++)
         {
-            check(x[at] == k, "item", "gather", x[at], k);
+            check_of(x[at] == k, "item", "gather", x[at], k);
         }
     }
     dem_memory_free(all);
-    check(dem_collect_gather(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK, &own, &all,
+    check_of(dem_collect_gather(p, rank == 1 ? dem_error(DEM_ERROR_INPUT, "one") : DEM_OK, &own, &all,
                              &n) == DEM_ERROR_INPUT,
           "a rank has failed before", "gather", 0, 1);
     last_allocation = rank == 1 ? 0 : -1;
-    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_ERROR_MEMORY && !all,
+    check_of(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_ERROR_MEMORY && !all,
           "a rank has no memory", "gather", 0, 1);
     last_allocation = -1;
     own.n = 0;
-    check(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_OK && n == 0 && !all, "nothing",
+    check_of(dem_collect_gather(p, DEM_OK, &own, &all, &n) == DEM_OK && n == 0 && !all, "nothing",
           "gather", 0, 1);
 }
 
@@ -605,10 +593,8 @@ int main(int argc, char **argv)
 {
     struct dem_decomposition p;
 
-    MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    check(ranks > 1 && ranks <= 64, "ranks; run it on 2 to 64", "", ranks, 2);
+    ranks_begin(&argc, &argv);
+    check_of(ranks > 1 && ranks <= 64, "ranks; run it on 2 to 64", "", ranks, 2);
     if (rank == 0 && !mkdtemp(folder))
     {
         MPI_Abort(MPI_COMM_WORLD, 1);
@@ -623,7 +609,5 @@ int main(int argc, char **argv)
     no_memory();
     wrong_counts();
     clean_up();
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return failed;
+    return ranks_end();
 }

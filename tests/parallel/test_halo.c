@@ -14,9 +14,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "parallel/ranks.h"
+
 #include "case/internal.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,26 +33,6 @@ void *aligned_alloc(size_t alignment, size_t size)
 
 /* m of the row for each rank: 30 layers of 1.04 mm */
 static const double length = 0.03120001;
-static int rank, ranks, failed;
-
-static void check(int holds, const char *what, double found, double expected)
-{
-    if (!holds)
-    {
-        printf("# rank %d of %d: %s: found %.10g, expected %.10g\n", rank, ranks, what, found,
-               expected);
-        failed = 1;
-    }
-}
-
-static void try(int status)
-{
-    if (status)
-    {
-        printf("# rank %d: %s\n", rank, dem_error_text());
-        MPI_Abort(MPI_COMM_WORLD, 1);
-    }
-}
 
 static struct dem *make(void)
 {
@@ -156,9 +137,7 @@ int main(int argc, char **argv)
 {
     struct dem_profile before, after;
 
-    MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    ranks_begin(&argc, &argv);
     struct dem *const d = make();
     const double step = dem_step_limit(d).used;
     const int neighbours = ranks < 3 ? ranks - 1 : 2;
@@ -196,7 +175,5 @@ int main(int argc, char **argv)
     check(ranks == 1 || after.agreements - before.agreements == 51, "all-reduces",
           (double)(after.agreements - before.agreements), 51);
     dem_free(d);
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return failed;
+    return ranks_end();
 }

@@ -16,9 +16,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "parallel/ranks.h"
+
 #include "case/internal.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,26 +32,6 @@ enum
 };
 
 static const double length = 0.08, width = 0.012, pi = 3.14159265358979324;
-static int rank, ranks, failed;
-
-static void check(int holds, const char *what, double found, double expected)
-{
-    if (!holds)
-    {
-        printf("# rank %d of %d: %s: found %.17g, expected %.17g\n", rank, ranks, what, found,
-               expected);
-        failed = 1;
-    }
-}
-
-static void try(int status)
-{
-    if (status)
-    {
-        printf("# rank %d: %s\n", rank, dem_error_text());
-        MPI_Abort(MPI_COMM_WORLD, 1);
-    }
-}
 
 /* ---- scene ----------------------------------------------------------------------------------- */
 
@@ -256,9 +237,7 @@ int main(int argc, char **argv)
 {
     struct dem *d, *alone;
 
-    MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    ranks_begin(&argc, &argv);
     d = make(MPI_COMM_WORLD);
     alone = make(MPI_COMM_SELF);
     check_held(d, alone);
@@ -282,7 +261,5 @@ int main(int argc, char **argv)
     check_corners(d, alone);
     dem_free(d);
     dem_free(alone);
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return failed;
+    return ranks_end();
 }

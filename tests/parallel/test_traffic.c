@@ -21,33 +21,13 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "parallel/ranks.h"
+
 #include "case/internal.h"
 #include "step/neighbor_rebuild.h"
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int rank, ranks, failed;
-
-/* Mean of all ranks and a bound; the first rank reports. */
-static void check(int holds, const char *what, double found, double expected)
-{
-    if (!holds && rank == 0)
-    {
-        printf("# %d ranks: %s: found %.10g, expected %.10g\n", ranks, what, found, expected);
-    }
-    failed |= !holds;
-}
-
-static void try(int status)
-{
-    if (status)
-    {
-        printf("# rank %d: %s\n", rank, dem_error_text());
-        MPI_Abort(MPI_COMM_WORLD, 1);
-    }
-}
 
 /* ---- counting -------------------------------------------------------------------------------- */
 
@@ -155,9 +135,7 @@ int main(int argc, char **argv)
     const double side = cbrt(n/density), outer = 1.0 + 0.3, inner = 1.0 + 0.04;
     double step[COUNTS], rebuild[COUNTS];
 
-    MPI_Init(&argc, &argv);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    ranks_begin(&argc, &argv);
     struct dem *const d = make(n);
     struct dem_state *const p = &d->state;
 
@@ -192,7 +170,5 @@ int main(int argc, char **argv)
               rebuild[REDUCTIONS], 7.0);
     }
     dem_free(d);
-    PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-    MPI_Finalize();
-    return failed;
+    return ranks_end();
 }

@@ -1,6 +1,6 @@
 /*
- * test_energy_springs.c -- the energy balance closes for contacts that end with loaded springs,
- * for dashpots on rotations, added mass, and bonds that break in the step in which they are made.
+ * test_energy_springs.c -- the energy balance closes for oblique impacts with dashpots on
+ * rotations, with added mass, and for bonds that break in the step in which they are made.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -27,48 +27,6 @@ static struct dem *start(const struct scene *s, double step, int n,
 static double kinetic(struct dem *d)
 {
     return energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
-}
-
-/* ---- a quarter period ------------------------------------------------------------------------ */
-
-/* With k_t = k_n/14, or k_r = k_n R^2/10 (and no friction), the spring oscillates at sqrt(k_n/m)/2:
-   in the half period of the normal spring it takes up all energy of slip or spin, U^2 m/7 or (2/5 m
-   R^2) w^2/2, and the contact ends. */
-static void quarter(const char *law, const char *term, int spins)
-{
-    const struct scene s = {law, "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }",
-                            2500.0};
-    const double m = world_sphere_mass(R, s.density), k = 1000.0, swing = world_pi*sqrt(m/k),
-                 V = 0.02, U = 0.1*V;
-    double residual[2], lost[2];
-
-    for (int h = 0; h < 2; h++)
-    {
-        /* a hundredth of the period, and 8 phases of first contact in a step */
-        const double step = swing/(100 << h);
-
-        residual[h] = lost[h] = 0.0;
-        for (int phase = 0; phase < 8; phase++)
-        {
-            const struct dem_new_particle seed = {
-                .position = {0.0, 0.0, R + V*step*(phase + 0.5)/8.0},
-                .velocity = {spins ? 0.0 : U, 0.0, -V}, .spin = {0.0, spins ? U/R : 0.0, 0.0},
-                .diameter = 2.0*R, .id = -1, .material = "glass"};
-            struct dem *const d = start(&s, step, 1, &seed);
-
-            world_run(d, 1.05*swing);
-            TAP_OK(world_at(d, 0).f[2] == 0.0 && world_at(d, 0).v[2] > 0.0, "it has bounced");
-            lost[h] += energy_term(d, term)/(spins ? 0.2*m*U*U : m*U*U/7.0)/8.0;
-            residual[h] = fmax(residual[h], fabs(energy_term(d, "residual"))/(m*U*U));
-            dem_free(d);
-        }
-    }
-    /* the spring reverses within about a step of the end of contact: (pi/400)^2. For slip the lever
-       arm is shorter by the overlap, 2e-3 R at most */
-    TAP_NEAR(lost[1], 1.0, spins ? 2e-4 : 2e-3,
-             "%s: all is lost at the end, %.5f, %.5f at half the step", term, lost[0], lost[1]);
-    TAP_OK(residual[1] < residual[0]/1.8, "the residual is %.2g of m U^2, %.2g at half the step",
-           residual[0], residual[1]);
 }
 
 /* ---- oblique impacts ------------------------------------------------------------------------- */
@@ -124,34 +82,6 @@ static void oblique(const char *what, const struct scene *s, double other)
            "to %.2g on average over impacts, %.2g at a quarter of the step", coarse[0], fine[0]);
 }
 
-/* ---- rolling to rest ------------------------------------------------------------------------- */
-
-static double rolls(double step, double *lost)
-{
-    const struct scene s = {
-        "gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.5; } "
-        "mindlin { friction 0.5; } "
-        "rollingSpring { friction 0.05; damping 0.3; }",
-        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }", 2500.0};
-    const double m = world_sphere_mass(R, s.density),
-                 sinks =
-                     pow(m*9.81/(4.0/3.0*0.5*E/(1.0 - nu*nu)*sqrt(R)), 2.0/3.0),
-                 v = 0.05;
-    const struct dem_new_particle seed = {
-        .position = {0.0, 0.0, R - sinks}, .velocity = {v, 0.0, 0.0},
-        .spin = {0.0, v/(R - sinks), 0.0}, .diameter = 2.0*R, .id = -1, .material = "glass"};
-    struct dem *const d = start(&s, step, 1, &seed);
-    const double before = kinetic(d);
-
-    world_run(d, 0.3);
-    const double residual = fabs(energy_term(d, "residual"))/before;
-
-    TAP_OK(kinetic(d) < 1e-6*before, "it has come to rest");
-    *lost = energy_term(d, "lost_rollingSpring")/before;
-    dem_free(d);
-    return residual;
-}
-
 int main(void)
 {
     static const char floor_at_0[] =
@@ -174,19 +104,13 @@ int main(void)
         floor_at_0, 2500.0};
 
     TAP_TRAPS;
-    quarter(
-        "hooke { stiffness 1000; } linear { friction 100; ratio 0.071428571428571428; "
-        "tangentialDamping no; }",
-        "lost_linear", 0);
-    quarter("hooke { stiffness 1000; } rollingSpring { friction 10; stiffness 0.1; damping 0; }",
-            "lost_rollingSpring", 1);
     oblique("a bubble in water", &bubble, 0.0);
     oblique("rolling and twisting", &moments, 0.0);
 
     /* At a quarter of the automatic step, where 0.0014 was found; at that step itself up to 0.016
        remain. The cause is not proved: the contact that replaces the bond begins with an overlap
        that it has not loaded. A bond taken as stretched by its whole length would give 1.4. */
-    double broken[2], lost;
+    double broken[2];
     const double m = world_sphere_mass(R, brittle.density);
 
     impacts(&brittle, impact(0.5*m, 0.5*R)/80.0, R, broken);
@@ -195,15 +119,5 @@ int main(void)
         "bonds that break in the step that makes them: the balance reports the kinetic energy "
         "lost, to %.2g at worst",
         broken[1]);
-
-    const double fine = rolls(2e-6, &lost), coarse = rolls(8e-6, &lost);
-
-    TAP_NEAR(
-        lost, 1.0, 1e-3,
-        /* a little to friction's dashpot */
-        "rolling to rest: all is dissipated by the spring and its dashpot");
-    TAP_OK(coarse < 1e-3 && fine < coarse/3.0,
-           "the residual is %.2g of its kinetic energy, %.2g at a quarter of the "
-           "step", coarse, fine);
     TAP_DONE;
 }

@@ -23,11 +23,11 @@ import sys
 import time
 import traceback
 
+import fluid            # noqa: F401, for the checks: it sets a signal handler, which a thread may not
 from results import Run
+from tap import claim, finish
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.append(os.path.dirname(HERE))
-from tap import claim, finish           # noqa: E402
 
 AT_ONCE = 2
 
@@ -64,6 +64,12 @@ class Case:
     def place(self, name):
         """A file or folder in the case's own place, for what a check makes itself."""
         return os.path.join(self.work, name)
+
+    def places(self, name, columns, rows):
+        """A table `places` in the folder of a run, which its scene inserts."""
+        os.makedirs(self.place(name), exist_ok=True)
+        with open(os.path.join(self.place(name), "places"), "w") as file:
+            file.write(columns + "\n" + "".join(" ".join("%.17g" % x for x in row) + "\n" for row in rows))
 
     def run(self, scene, entries=None, ranks=1, restart=None, name=None, limit=None):
         """Run a scene of this folder with some entries changed, beside what it says in files

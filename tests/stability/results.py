@@ -52,6 +52,10 @@ class Run:
             return [{re.sub(r"\[.*", "", k): value(v) for k, v in row.items()}
                     for row in csv.DictReader(lines)]
 
+    def energy(self, *terms):
+        """The sum of these columns of energy.csv, by the beginning of their names, in each row."""
+        return [sum(v for k, v in row.items() if k.startswith(terms)) for row in self.table("energy.csv")]
+
     def wall(self, name):
         return [row for row in self.table("walls.csv") if row["wall"] == name]
 

@@ -83,7 +83,7 @@ case.remove("0.02")
 case.run("decomposePar")
 case.run("demPimpleFoam", ranks=2)
 case.run("reconstructPar", "-latestTime")
-# the bound of tests/coupled/parallel
+# the bound of tests/coupled/ranks
 claim("momentum: two ranks agree", lambda: difference(alone, case.particles("0.02", "positions")) < 1e-8)
 
 case.controls(0.02, 0.0005, functions='particles { type demCloud; libs ("libdemCoupling.so"); }')

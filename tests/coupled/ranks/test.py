@@ -63,8 +63,8 @@ def blocks(layout):
 
 
 def decomposed(what, case, expected, n, method):
-    """On n ranks it agrees with the run alone. Linear solvers of 1e-11 sum in another order; the bounds are the same
-    as in ../parallel."""
+    """On n ranks it agrees with the run alone. Linear solvers of 1e-11 sum in another order, which collisions
+    amplify."""
     case.write("system/decomposeParDict",
                head("dictionary", "decomposeParDict") + f"numberOfSubdomains {n}; {method}\n")
     case.remove("processor*")

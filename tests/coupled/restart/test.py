@@ -77,6 +77,9 @@ for solver in ("pimpleFoam", "demPimpleFoam"):
           case.read(box.format(0)) == case.read(box.format(0.004)))
     claim(f"{solver}: the table of forces on walls, from its second mean on",
           len(rows(0)) == 6 and rows(0) == rows(0.004))
+case.run("foamToVTK", "-latestTime")
+claim("foamToVTK reads the particles", any("NumberOfPoints='403'" in picture.read_text(errors="replace")
+                                           for picture in case.path.glob("VTK/lagrangian/**/*.vtp")))
 
 # ---- two ranks, and from two to one ----------------------------------------------------------------
 

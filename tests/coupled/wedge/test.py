@@ -122,7 +122,7 @@ case.run("decomposePar")
 case.run("demPimpleFoam", ranks=2)
 claim_ran("momentum: two ranks run", case)
 case.run("reconstructPar", "-latestTime")
-# the bound of tests/coupled/parallel; so early that collisions have not amplified round-off much
+# the bound of tests/coupled/ranks; so early that collisions have not amplified round-off much
 claim("momentum: two ranks agree (1e-8)",
       lambda: difference(case.particles("one", "place", "U"), case.particles("0.005", "place", "U")) < 1e-8)
 

@@ -3,15 +3,8 @@ ejected.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import os
 import random
 HARD = "large overlaps at the start"
-
-
-def places(c, name, points):
-    os.makedirs(c.place(name), exist_ok=True)
-    with open(os.path.join(c.place(name), "places"), "w") as file:
-        file.write("x y z\n" + "".join("%.17g %.17g %.17g\n" % p for p in points))
 
 
 def calm(c, what, run):
@@ -20,8 +13,7 @@ def calm(c, what, run):
     frames = run.snapshots()
     c.below(what + ": largest speed, m/s", max(max(map(abs, p.v)) for f in frames
                                                for p in f.particles.values()), 10.0)
-    energy = [sum(v for k, v in row.items() if k.startswith(("kinetic", "elastic")))
-              for row in run.table("energy.csv")]
+    energy = run.energy("kinetic", "elastic")
     # at steps of t_c/20 the energy of the leapfrog oscillates by 3e-4 in an impact
     # (docs/energy-balance.md)
     c.below(what + ": largest growth of kinetic and elastic energy over its start",
@@ -32,20 +24,20 @@ def calm(c, what, run):
 
 
 def check(c):
-    places(c, "pair", [(0.01, 0.01, 0.01), (0.0115, 0.01, 0.01)])                # overlap R/2
+    c.places("pair", "x y z", [(0.01, 0.01, 0.01), (0.0115, 0.01, 0.01)])                # overlap R/2
     run = c.run("scene.dem", name="pair")
     c.holds("a pair with an overlap of R/2: refused, both named",
             run.status != 0 and "0 and 1" in run.err and "overlap" in run.err, run.err)
     draw = random.Random(4)
-    places(c, "crowd", [tuple(draw.uniform(1e-3, 0.015) for _ in range(3)) for _ in range(1000)])
+    c.places("crowd", "x y z", [tuple(draw.uniform(1e-3, 0.015) for _ in range(3)) for _ in range(1000)])
     run = c.run("scene.dem", name="crowd")
     c.holds("1000 at random positions: refused, two named",
             run.status != 0 and "overlap" in run.err and "particles" in run.err, run.err)
     most = 0.0499*2e-3
-    places(c, "most", [(0.01, 0.01, 0.01), (0.012 - most, 0.01, 0.01)])
+    c.places("most", "x y z", [(0.01, 0.01, 0.01), (0.012 - most, 0.01, 0.01)])
     calm(c, "a pair at the largest accepted overlap", c.run("scene.dem", name="most"))
     gap = 2e-3 - most
-    places(c, "block", [(0.005 + gap*i, 0.005 + gap*j, 0.005 + gap*k) for i in range(10)
+    c.places("block", "x y z", [(0.005 + gap*i, 0.005 + gap*j, 0.005 + gap*k) for i in range(10)
                         for j in range(10) for k in range(10)])
     calm(c, "1000 at the largest accepted overlap", c.run("scene.dem", name="block"))
     calm(c, "1000 placed by `random` at 0.54", c.run("dense.dem", name="dense"))

@@ -28,8 +28,7 @@ def check(c):
         for f in frames)/R, 1e-6)
     c.below("largest speed, m/s", max(sum(v*v for v in p.v)**0.5 for f in frames
                                       for p in f.particles.values()), 1e-8)
-    energy = [sum(v for k, v in row.items() if k.startswith(("kinetic", "elastic", "gravity")))
-              for row in run.table("energy.csv")]
+    energy = run.energy("kinetic", "elastic", "gravity")
     held = max(row["elastic_hertz"] for row in run.table("energy.csv"))
     # energy.csv has twelve digits of each column
     c.below("largest growth of the energy between outputs, over the elastic energy",

@@ -3,7 +3,6 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
-import os
 HARD = "contacts and bonds through faces, a box of minimal width"
 BOX = (0.012, 0.013, 0.011)
 
@@ -53,9 +52,7 @@ def lattice(c, name, side, axis=None):
     points = [[side*(i + 0.25) for i in (k % 3, k//3 % 3, k//9)] for k in range(27)]
     if axis is not None:
         points[0][axis] += 2e-5
-    os.makedirs(c.place(name), exist_ok=True)
-    with open(os.path.join(c.place(name), "places"), "w") as file:
-        file.write("x y z\n" + "".join("%.17g %.17g %.17g\n" % tuple(p) for p in points))
+    c.places(name, "x y z", points)
     return c.run("lattice.dem", name=name)
 
 

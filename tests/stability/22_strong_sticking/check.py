@@ -2,7 +2,6 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import os
 HARD = "a slope of -100 k: the attraction grows with the overlap"
 
 
@@ -13,17 +12,13 @@ def check(c):
               -0.02 - 150.0*2e-3*(k - 1.5))
              for i in range(5) for j in range(5) for k in range(4)]
     for what, places, seconds in (("pair", pair, 0.1), ("100", block, 0.1 if c.long else 0.02)):
-        os.makedirs(c.place(what))
-        with open(os.path.join(c.place(what), "places"), "w") as file:
-            file.write("x y z vx vy vz\n" + "".join("%.17g %.17g %.17g %.17g %.17g %.17g\n" % p
-                for p in places))
+        c.places(what, "x y z vx vy vz", places)
         run = c.run("scene.dem", {"time/end": seconds, "write/interval": seconds/10,
                                   "write/energy": seconds/100}, name=what)
         if not c.runs_to_end(run):
             continue
         first, last = run.snapshots()[0], run.snapshots()[-1]
-        rows = run.table("energy.csv")
-        inner = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic"))) for r in rows]
+        inner = run.energy("kinetic", "elastic")
         c.above(what + ": steps", last.steps, 1e6*seconds - 1)
         c.below(what + ": largest growth of kinetic and elastic energy, of the first",
                 max(b - a for a, b in zip(inner, inner[1:]))/inner[0], 1e-3)

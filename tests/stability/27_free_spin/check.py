@@ -3,7 +3,6 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
-import os
 HARD = "slip and rotation of bonds in a rigid rotation"
 TURNS = 10
 
@@ -14,12 +13,8 @@ def check(c):
         name, rate = "%d" % n, 25.0 if n > 3 else 50.0
         omega = 2.0*math.pi*rate
         for folder in (name, name + "_calm"):
-            os.makedirs(c.place(folder))
-            with open(os.path.join(c.place(folder), "places"), "w") as file:
-                file.write("x y z vx vy vz wx wy wz\n")
-                for k in range(n):
-                    x = 2e-3*(k - 0.5*(n - 1))
-                    file.write("%.17g 0 0 0 %.17g 0 0 0 %.17g\n" % (x, omega*x, omega))
+            c.places(folder, "x y z vx vy vz wx wy wz", [
+                (x, 0, 0, 0, omega*x, 0, 0, 0, omega) for x in (2e-3*(k - 0.5*(n - 1)) for k in range(n))])
         # the centrifugal elongation at the start is damped until the rotation is rigid
         calm = c.run("scene.dem", {"effects/bondLinear/dampingRatio": 0.5, "time/end": 0.01,
             "write/interval": 0.01, "write/energy": 0.01}, name=name + "_calm")
@@ -34,7 +29,6 @@ def check(c):
         c.below(what + ": largest |F_t|/(k_t A L)", slip/2e-3, 1e-9)
         l = [f.angular_momentum()[2] for f in frames]
         c.below(what + ": change of L_z, relative", max(abs(x/l[0] - 1.0) for x in l), 1e-10)
-        energy = [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic")))
-                  for r in run.table("energy.csv")]
+        energy = run.energy("kinetic", "elastic")
         c.below(what + ": change of energy, relative", max(abs(e/energy[0] - 1.0) for e in energy),
                 1e-6)

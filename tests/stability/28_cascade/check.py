@@ -3,29 +3,20 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
-import os
 HARD = "a thousand bonds break in one step"
 AREA = math.pi*1e-6
 
 
 def pairs(c, name, entries=None):
-    os.makedirs(c.place(name))
-    with open(os.path.join(c.place(name), "places"), "w") as file:
-        file.write("x y z vx vy vz\n")
-        for k in range(1000):
-            x, y, z = 0.00625*(k % 10), 0.00625*(k//10 % 10), 0.00625*(k//100)
-            for s in (-1, 1):
-                # multiples of 2^-40 m: sums of positions are exact, so all pairs are equal to the
-                # last bit
-                file.write("%.17g %.17g %.17g %g 0 0\n" %
-                           (round((x + 0.001*s)*2**40)/2**40, y, z, 0.6*s))
+    # multiples of 2^-40 m: sums of positions are exact, so all pairs are equal to the last bit
+    c.places(name, "x y z vx vy vz", [
+        (round((0.00625*(k % 10) + 0.001*s)*2**40)/2**40, 0.00625*(k//10 % 10), 0.00625*(k//100), 0.6*s, 0, 0)
+        for k in range(1000) for s in (-1, 1)])
     return c.run("scene.dem", entries, name=name)
 
 
 def sums(run):
-    """Kinetic, elastic and lost energy, from the rows of energy.csv."""
-    return [sum(v for k, v in r.items() if k.startswith(("kinetic", "elastic", "lost", "broken")))
-            for r in run.table("energy.csv")]
+    return run.energy("kinetic", "elastic", "lost", "broken")
 
 
 def check(c):

@@ -4,10 +4,7 @@ stays bounded.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
-import os
-import sys
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-import fluid                                                 # noqa: E402
+import fluid
 HARD = "added mass 400 times the particle mass"
 RISE = ((1.2, 0.20823), (500.0, 0.13555), (990.0, 0.010018), (1010.0, -0.010018))
 
@@ -47,12 +44,11 @@ def check(c):
     if not fluid.there():
         return c.skip("swarm of bubbles", "no demPimpleFoam")
     # the swarm of tests/coupled/forces, three tenths of the volume
-    case = fluid.from_folder(c, "swarm", "forces/swarm")
+    case = fluid.Folder(c, "swarm", "forces/swarm")
     end = "5" if c.long else "0.1"
-    case.set("system/controlDict", "endTime", end)
-    if not case.run():
-        return c.holds("swarm: runs", False, case.log)
-    # a single bubble rises with 0.19 m/s; a diverging exchange doubles in each step
-    c.below("swarm at 0.3: largest speed of a bubble, m/s",
-            max(max(map(abs, v)) for _, v in case.particles(end).values()), 0.2)
-    c.below("swarm: exchange error", case.worst("exchange error"), 1e-12)
+    case.edit("system/controlDict", endTime=end)
+    case.run("blockMesh")
+    if case.ends(c, "swarm"):
+        # a single bubble rises with 0.19 m/s; a diverging exchange doubles in each step
+        c.below("swarm at 0.3: largest speed of a bubble, m/s", fluid.largest(case.particles(end, "U")[:, 1:]), 0.2)
+        c.below("swarm: exchange error", case.worst("exchange error"), 1e-12)
