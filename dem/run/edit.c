@@ -40,7 +40,7 @@ static int by_id(const void *a, const void *b)
     return (p->id > q->id) - (p->id < q->id);
 }
 
-static const struct dem_edit_item *find(const struct dem_edit *e, int64_t id)
+const struct dem_edit_item *dem_edit_find(const struct dem_edit *e, int64_t id)
 {
     const struct dem_edit_item key = {.id = id};
 
