@@ -7,6 +7,7 @@
 #include "app/main.h"
 #include "dem_plan.h"
 #include "app/energy_csv.h"
+#include "app/progress.h"
 #include "app/run_announce.h"
 #include "app/run_tables.h"
 #include "app/scene_options.h"
@@ -59,74 +60,6 @@ static const char help[] =
     "-set overrides an entry: -set effects/dry/restitution 0.8, or -set time/end=1\n"
     "dem effects lists the effects.\n";
 
-/* s of the clock between lines of progress, and between looks for the file stop */
-static const double progress_interval = 10.0, look_interval = 1.0;
-
-struct progress
-{
-    double started, printed;   /* s  wall clock at the start, at the last line */
-    char stop_file[640];
-    double from, end;          /* s  simulated time at the start, at the end */
-    double overlap;            /* 1  largest since the last line; dem_totals resets its own */
-    int64_t steps, particles;  /*    steps at the start; particles at the last output */
-    int rank;
-};
-
-static double seconds_left(const struct progress *p, double time)
-{
-    const double done = time - p->from;
-
-    return done > 0.0 ? (MPI_Wtime() - p->started)/done*(p->end - time) : 0.0;
-}
-
-static void report_progress(const struct progress *p, double time, int64_t steps)
-{
-    const double rate = (double)(steps - p->steps)/(MPI_Wtime() - p->started);
-
-    printf("progress %.1f %%, %.0f s left, %.3g steps/s, %.3g particle-steps/s\n",
-           100.0*time/p->end, seconds_left(p, time), rate, rate*(double)p->particles);
-    fflush(stdout);
-}
-
-/* called by dem_set_progress on the first rank */
-static void watch(void *of, double time, int64_t steps)
-{
-    struct progress *const p = of;
-
-    dem_stop_file_look(p->stop_file);
-    dem_keep_signals();
-    if (MPI_Wtime() - p->printed >= progress_interval)
-    {
-        p->printed = MPI_Wtime();
-        report_progress(p, time, steps);
-    }
-}
-
-static void report_bonds(const struct dem_totals *t)
-{
-    if (t->bonds > 0 || t->broken > 0.0 || t->lost != 0.0)
-    {
-        printf("        %lld bonds  %.0f broken  stored %.4g J  lost %.4g J\n", (long long)t->bonds,
-               t->broken, t->stored, t->lost);
-    }
-}
-
-static void report(struct progress *p, const struct dem_totals *t)
-{
-    if (p->rank == 0)
-    {
-        printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap "
-               "%.3g %%  ETA %.0f s\n",
-               t->time, (long long)t->particles, (long long)t->contacts,
-               (double)(t->steps - p->steps)/(MPI_Wtime() - p->started), t->kinetic,
-               100.0*p->overlap, seconds_left(p, t->time));
-        report_bonds(t);
-        fflush(stdout);
-    }
-    p->particles = t->particles;
-    p->overlap = 0.0;
-}
-
 /* The run has failed: report lost particles and broken bonds, write the last backup, and add its
    path to the message. */
 static int write_last_good(const struct dem_program *prog, struct dem *d,
@@ -162,7 +95,7 @@ struct run_state
     const struct dem_program *prog;
     const struct dem_schedule *s;
     struct dem *d;
-    struct progress p;
+    struct dem_progress p;
     struct dem_quiet quiet;
     struct dem_run_tables tables;
     struct dem_energy_log energy;
@@ -217,7 +150,7 @@ static int write_output(struct run_state *c, int64_t number)
     const char *warning;
 
     DEM_TRY(dem_impact_warning(c->d, c->p.overlap, &warning));
-    report(&c->p, &c->t);
+    dem_progress_report(&c->p, &c->t);
     if (c->prog->rank == 0 && warning[0])
     {
         printf("warning: %s\n", warning);
@@ -231,7 +164,6 @@ static int write_output(struct run_state *c, int64_t number)
 static int begin(struct run_state *c)
 {
     const struct dem_output *const o = &c->s->output;
-
     const double start = o->start;
 
     DEM_TRY(dem_totals(c->d, &c->t));
@@ -244,7 +176,7 @@ static int begin(struct run_state *c)
     snprintf(c->p.stop_file, sizeof c->p.stop_file, "%s/stop", o->folder);
     if (c->prog->rank == 0)
     {
-        dem_set_progress(c->d, look_interval, watch, &c->p);
+        dem_set_progress(c->d, DEM_LOOK_INTERVAL, dem_progress_watch, &c->p);
     }
     DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
     dem_run_announce_device(c->prog, c->d);
@@ -312,25 +244,11 @@ static int print_profile(const struct dem_program *prog, struct dem *d, const st
     return DEM_OK;
 }
 
-/* The tests of rest: `checks` in an interval, at multiples of `part`. */
-struct tests
+/* The time of test k of rest, of `checks` in an interval. */
+static double time_of_test(const struct dem_schedule *s, int64_t checks, int64_t k)
 {
-    int64_t checks;
-    double part;    /* s */
-};
-
-static struct tests tests_of_rest(const struct run_state *c)
-{
-    const double interval = c->s->interval;
-    const int64_t checks = dem_quiet_tests(c->d, &c->quiet, interval);
-
-    return (struct tests){checks, interval/(double)checks};
-}
-
-static double time_of_test(const struct run_state *c, const struct tests *test, int64_t k)
-{
-    return fmin(k%test->checks ? (double)k*test->part
-                               : (double)(k/test->checks)*c->s->interval, c->s->end);
+    return fmin(k%checks ? (double)k*(s->interval/(double)checks)
+                         : (double)(k/checks)*s->interval, s->end);
 }
 
 /* Outputs are at integer multiples of the interval, so that a restarted run has the same
@@ -342,14 +260,15 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
                           .d = d,
                           .p = {.started = MPI_Wtime(), .rank = prog->rank},
                           .quiet = s->quiet};
-    const struct tests test = tests_of_rest(&c);
+    const int64_t checks = dem_quiet_tests(d, &c.quiet, s->interval);
+    const double part = s->interval/(double)checks;
 
     DEM_TRY(begin(&c));
     while (c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached)
     {
-        const int64_t k = (int64_t)floor(c.t.time/test.part + 1e-6) + 1,
-                      number = (k + test.checks - 1)/test.checks;
-        const double next = time_of_test(&c, &test, k);
+        const int64_t k = (int64_t)floor(c.t.time/part + 1e-6) + 1,
+                      number = (k + checks - 1)/checks;
+        const double next = time_of_test(s, checks, k);
 
         DEM_TRY(advance_to(&c, next));
         if (dem_stopped(d))
@@ -358,7 +277,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             return print_profile(prog, d, &s->output);
         }
         DEM_TRY(dem_quiet_test(d, &c.quiet, &c.t));
-        if (k%test.checks == 0 || c.quiet.reached || next == s->end)
+        if (k%checks == 0 || c.quiet.reached || next == s->end)
         {
             DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
             DEM_TRY(write_output(&c, number));
@@ -446,27 +365,4 @@ int dem_main_run(struct dem_program *prog, int argc, char **argv)
     /* a reader of the log that ends (head, less) must not end the run */
     signal(SIGPIPE, SIG_IGN);
     return dem_command_run(prog, &command, argc, argv);
-}
-
-int dem_main_hash(struct dem_program *prog, int argc, char **argv)
-{
-    uint64_t hash;
-
-    if (argc != 1 || strcmp(argv[0], "-help") == 0)
-    {
-        if (prog->rank == 0)
-        {
-            printf("Usage: dem hash SNAPSHOT\n\nThe hash of particles and contact history, as dem "
-                   "run prints it at its end;\n"
-                   "it does not depend on the number of ranks.\n");
-        }
-        DEM_REQUIRE(argc == 1, DEM_ERROR_INPUT, "dem hash: %d arguments; give one snapshot", argc);
-        return DEM_OK;
-    }
-    DEM_TRY(dem_snapshot_hash(argv[0], &hash));
-    if (prog->rank == 0)
-    {
-        printf("%016llx\n", (unsigned long long)hash);
-    }
-    return DEM_OK;
 }

@@ -74,8 +74,8 @@ int dem_output_read(struct dem_output *o, const struct dem_dict *write, const ch
     }
     if (o->snapshots < 0)
     {
-        return dem_error_prefix(dem_did_you_mean_error("kind of snapshot", kind, kinds, 3), "write:"
-                                                                                            " ");
+        return dem_error_prefix(dem_did_you_mean_error("kind of snapshot", kind, kinds, 3),
+                                "write: ");
     }
     DEM_TRY(read_keep(o, write));
     if (folder[0])
@@ -231,9 +231,7 @@ static int write_csv(const struct dem_output *o, const struct dem_program *prog,
         print_particle, &t);
 
     dem_memory_free(s);
-    DEM_TRY(status);
-    return dem_program_agree(prog, prog->rank == 0 ? dem_effects_record(d, o->folder, o->start)
-                                                   : DEM_OK);
+    return status;
 }
 
 static int check_folder(const struct dem_output *o)
@@ -305,20 +303,6 @@ int dem_output_check(const struct dem_output *o, const struct dem_program *prog,
                                                                       : DEM_OK);
 }
 
-/* Averages have no room for a comment in their CSV: effects.csv names the effects. */
-static int write_averages(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
-{
-    if (!dem_averages_count(d))
-    {
-        return DEM_OK;
-    }
-    int status = prog->rank == 0 ? dem_effects_record(d, o->folder, o->start) : DEM_OK;
-
-    DEM_TRY(dem_program_agree(prog, status));
-    status = dem_averages(d, o->folder);
-    return dem_program_agree(prog, status);
-}
-
 static int write_vtk(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
                      int64_t number, double time)
 {
@@ -341,9 +325,8 @@ static int write_vtk(const struct dem_output *o, const struct dem_program *prog,
 int dem_output_write(const struct dem_output *o, const struct dem_program *prog, struct dem *d,
                      int64_t number, double time)
 {
-    const int folder = prog->rank == 0 && (o->vtk || o->csv || o->snapshots || dem_averages_count(d));
+    const int averages = dem_averages_count(d) > 0;
 
-    DEM_TRY(dem_program_agree(prog, folder ? dem_file_make_folder(o->folder) : DEM_OK));
     if (o->vtk)
     {
         DEM_TRY(write_vtk(o, prog, d, number, time));
@@ -352,7 +335,11 @@ int dem_output_write(const struct dem_output *o, const struct dem_program *prog,
     {
         DEM_TRY(write_csv(o, prog, d, number, time));
     }
-    return write_averages(o, prog, d);
+    /* these CSV files have no comment: effects.csv names the effects */
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 && (o->csv || averages)
+                                        ? dem_effects_record(d, o->folder, o->start)
+                                        : DEM_OK));
+    return averages ? dem_program_agree(prog, dem_averages(d, o->folder)) : DEM_OK;
 }
 
 void dem_output_snapshot_name(const struct dem_output *o, int64_t number, char *path, size_t size)

@@ -5,7 +5,6 @@
  */
 #include "app/walls_vtk.h"
 #include "core/error.h"
-#include "core/file.h"
 #include "core/memory.h"
 #include "records/vtk.h"
 #include <stdio.h>
@@ -64,7 +63,6 @@ int dem_walls_vtk_begin(const struct dem_output *o, const struct dem_program *pr
         return DEM_OK;
     }
     snprintf(path, sizeof path, "%s/walls.vtp", o->folder);
-    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_file_make_folder(o->folder) : DEM_OK));
     return write_all(prog, d, n, path);
 }
 

@@ -121,9 +121,6 @@ int dem_api_move_wall(struct dem *, const struct dem_mesh_wall *, int now);
 int dem_api_require_fluid_scalars(const struct dem *);
 double dem_api_max_radius(const struct dem *);    /* m  0 without particles */
 
-/* From now on the CPU makes the steps; why: as the end of a sentence. No effect without a device. */
-void dem_api_drop_device(struct dem *, const char *why);
-
 /* The scene of the run, for its snapshots; the caller frees it. On the first rank. */
 int dem_api_describe_scene(const struct dem *, struct dem_snapshot_scene *);
 

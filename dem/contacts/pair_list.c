@@ -1,5 +1,6 @@
 /*
- * pair_list.c -- the pairs of each owned particle, in the order in which it sums them.
+ * pair_list.c -- pairs sorted by class and particle; those of each owned particle, in the order in
+ * which it sums them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -22,6 +23,56 @@ size_t dem_pair_list_bytes(const struct dem_pair_list *c)
     return c->capacity*sizeof *c->pair + c->entry_capacity*sizeof *c->entry +
            c->start_capacity*sizeof *c->start;
 }
+
+/* ---- sort ------------------------------------------------------------------------------------ */
+
+static size_t class_of(const struct dem_pair *q)
+{
+    return q->class;
+}
+
+/* The partner that comes first in memory: an owned particle. */
+static size_t first_of(const struct dem_pair *q)
+{
+    return !q->wall && q->j < q->i ? q->j : q->i;
+}
+
+/* Stable counting sort; the list has no spare memory afterwards. */
+static int sort_by(struct dem_pair_list *c, size_t (*bin)(const struct dem_pair *), size_t bins)
+{
+    struct dem_pair *sorted;
+    uint32_t *start = NULL;
+
+    DEM_TRY(DEM_NEW(start, bins + 1));
+    const int status = DEM_NEW(sorted, c->n + 1);
+
+    for (size_t k = 0; k < c->n && !status; k++)
+    {
+        start[bin(&c->pair[k]) + 1]++;
+    }
+    for (size_t s = 1; s <= bins; s++)
+    {
+        start[s] += start[s - 1];
+    }
+    for (size_t k = 0; k < c->n && !status; k++)
+    {
+        sorted[start[bin(&c->pair[k])]++] = c->pair[k];
+    }
+    dem_memory_free(start);
+    DEM_TRY(status);
+    dem_memory_free(c->pair);
+    c->pair = sorted;
+    c->capacity = c->n + 1;
+    return DEM_OK;
+}
+
+int dem_pair_list_sort(struct dem_pair_list *c, size_t particles, size_t classes)
+{
+    DEM_TRY(sort_by(c, first_of, particles));
+    return classes < 2 ? DEM_OK : sort_by(c, class_of, classes);
+}
+
+/* ---- adjacency ------------------------------------------------------------------------------- */
 
 /* Keys of the order of a particle's sum: partner id, then image; walls after all particles, by
    facet (the list of wall neighbors is in that order). */

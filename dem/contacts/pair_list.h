@@ -36,8 +36,10 @@ struct dem_pair_list
 void dem_pair_list_free(struct dem_pair_list *);
 size_t dem_pair_list_bytes(const struct dem_pair_list *);
 
-/* After new pairs (already in place, sorted by class and particle): list the pairs of each owned
-   particle in the order of its sum. */
+/* Sort new pairs by class, and within a class by the owned particle that comes first in memory. */
+int dem_pair_list_sort(struct dem_pair_list *, size_t particles, size_t classes);
+
+/* After the sort: list the pairs of each owned particle in the order of its sum. */
 int dem_pair_list_build_adjacency(struct dem_pair_list *, const struct dem_particles *);
 
 #endif

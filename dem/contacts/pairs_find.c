@@ -1,5 +1,5 @@
 /*
- * pairs_find.c -- search for pairs in the cell lists, then for walls; sorted by class and particle.
+ * pairs_find.c -- search for pairs in the cell lists, then for walls.
  *
  * Within a level an entry is tested against the rest of its own cell, the next cell along x, and
  * the rows of three cells at (y + 1, z) and (y - 1 ... y + 1, z + 1), so that each pair is tested
@@ -19,7 +19,6 @@
 #include "core/memory.h"
 #include "laws/effect.h"
 #include <math.h>
-#include <string.h>
 
 enum
 {
@@ -291,33 +290,18 @@ static int pairs_between(struct finder *f, int large)
     return DEM_OK;
 }
 
-/* ---- walls and classes ----------------------------------------------------------------------- */
-
-static int add_pair(struct dem_contacts *c, struct dem_pair pair)
-{
-    DEM_TRY(reserve(c, c->pairs.n + 1));
-    pair.row = DEM_ROW_NONE;
-    c->pairs.pair[c->pairs.n++] = pair;
-    return DEM_OK;
-}
+/* ---- walls ----------------------------------------------------------------------------------- */
 
 static struct dem_facet_key facet_key(const struct dem_walls *w,
                                       const struct dem_wall_neighbor *near,
                                       const struct dem_particle *me)
 {
     const struct dem_facet *const r = &w->facet[near->facet];
-    const int frame = w->wall[r->wall].frame;
     struct dem_facet_key key = {.number = r->number};
+    int turns[3];
 
-    for (int k = 0; k < 3; k++)
-    {
-        const int turns = frame < 0 ? 0 : (int)fmod(w->frame[frame].turns[k], DEM_IMAGE_MASK + 1);
-
-        key.image = r->distinct >> k & 1
-                        ? dem_image_add(key.image, k, turns - near->image[k] -
-                                                          (int)dem_image_part(me->image, k))
-                        : key.image;
-    }
+    dem_walls_turns(w, r->wall, turns);
+    key.image = dem_facet_image(r->distinct, turns, near->image, me->image);
     return key;
 }
 
@@ -337,81 +321,16 @@ static int wall_pairs(struct dem_pairs *s, const struct dem_particles *particles
         s->wall_facet[k] = facet_key(w, near, me);
         if (!(me->flags & DEM_PARTICLE_FROZEN) || r->contact_scalars)
         {
-            DEM_TRY(
-                add_pair(c,
-                         (struct dem_pair){
-                             .i = near->particle,
-                             .j = (uint32_t)k,
-                             .shift = DEM_SHIFT_NONE,
-                             .wall = 1,
-                             .class = (uint16_t)class[wall->material]}));
+            DEM_TRY(reserve(c, c->pairs.n + 1));
+            c->pairs.pair[c->pairs.n++] =
+                (struct dem_pair){.i = near->particle,
+                                  .j = (uint32_t)k,
+                                  .row = DEM_ROW_NONE,
+                                  .shift = DEM_SHIFT_NONE,
+                                  .wall = 1,
+                                  .class = (uint16_t)class[wall->material]};
         }
     }
-    return DEM_OK;
-}
-
-static size_t class_of(const struct dem_pair *q)
-{
-    return q->class;
-}
-
-/* The partner that comes first in memory: an owned particle. */
-static size_t first_of(const struct dem_pair *q)
-{
-    return !q->wall && q->j < q->i ? q->j : q->i;
-}
-
-/* Stable counting sort. */
-static int sort_by(struct dem_contacts *c, size_t (*bin)(const struct dem_pair *), size_t bins)
-{
-    struct dem_pair *sorted;
-    uint32_t *start = NULL;
-
-    if (bins < 2)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(DEM_NEW(start, bins + 1));
-    const int status = DEM_NEW(sorted, c->pairs.n + WIDE);
-
-    if (status)
-    {
-        dem_memory_free(start);
-        return status;
-    }
-    for (size_t k = 0; k < c->pairs.n; k++)
-    {
-        start[bin(&c->pairs.pair[k]) + 1]++;
-    }
-    for (size_t s = 1; s <= bins; s++)
-    {
-        start[s] += start[s - 1];
-    }
-    for (size_t k = 0; k < c->pairs.n; k++)
-    {
-        sorted[start[bin(&c->pairs.pair[k])]++] = c->pairs.pair[k];
-    }
-    dem_memory_free(c->pairs.pair);
-    dem_memory_free(start);
-    c->pairs.pair = sorted;
-    c->pairs.capacity = c->pairs.n + WIDE;
-    return DEM_OK;
-}
-
-/* Free memory of a list that has become much shorter. */
-static int shrink(struct dem_contacts *c)
-{
-    struct dem_pair *shorter;
-
-    if (c->pairs.capacity <= c->pairs.n + c->pairs.n/4 + 1024)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(DEM_NEW(shorter, c->pairs.n + WIDE));
-    memcpy(shorter, c->pairs.pair, c->pairs.n*sizeof *shorter);
-    dem_memory_free(c->pairs.pair);
-    c->pairs.pair = shorter;
-    c->pairs.capacity = c->pairs.n + WIDE;
     return DEM_OK;
 }
 
@@ -459,9 +378,7 @@ int dem_pairs_find(struct dem_pairs *s, const struct dem_domain *d,
     DEM_TRY(dem_pairs_check_counts(particles->n + particles->ghosts, c->pairs.n));
     /* all rows of a particle are contiguous and in the order of particles: searches across levels
        or periodic faces find some of them late */
-    DEM_TRY(sort_by(c, first_of, particles->n));
-    DEM_TRY(sort_by(c, class_of, (size_t)c->rows.classes));
-    DEM_TRY(shrink(c));
+    DEM_TRY(dem_pair_list_sort(&c->pairs, particles->n, (size_t)c->rows.classes));
     DEM_TRY(dem_pair_list_build_adjacency(&c->pairs, particles));
     dem_skins_list_made(&s->skins, DEM_LIST_OUTER);
     return dem_displacement_begin(&s->displacement[DEM_LIST_OUTER], particles,

@@ -20,6 +20,7 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
 
+typedef char int8_t;
 typedef uchar uint8_t;
 typedef ushort uint16_t;
 typedef uint uint32_t;

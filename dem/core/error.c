@@ -14,12 +14,6 @@
 
 static _Thread_local char stored[DEM_ERROR_TEXT_SIZE];
 
-/* a truncated message ends in "..." */
-static void mark_truncated(char *text, size_t size)
-{
-    memcpy(text + size - 4, "...", 4);
-}
-
 int dem_error(int status, const char *format, ...)
 {
     char text[DEM_ERROR_TEXT_SIZE];
@@ -35,7 +29,7 @@ int dem_error(int status, const char *format, ...)
     }
     else if ((size_t)length >= sizeof text)
     {
-        mark_truncated(text, sizeof text);
+        memcpy(text + sizeof text - 4, "...", 4);
     }
     memcpy(stored, text, sizeof stored);
     return status;
@@ -43,35 +37,13 @@ int dem_error(int status, const char *format, ...)
 
 int dem_error_prefix(int status, const char *format, ...)
 {
-    char text[DEM_ERROR_TEXT_SIZE];
+    char prefix[DEM_ERROR_TEXT_SIZE];
     va_list arguments;
 
-    if (status == DEM_OK)
-    {
-        return DEM_OK;
-    }
     va_start(arguments, format);
-    const int length = vsnprintf(text, sizeof text, format, arguments);
+    const int length = vsnprintf(prefix, sizeof prefix, format, arguments);
     va_end(arguments);
-
-    if (length < 0)
-    {
-        return status;
-    }
-
-    const size_t used = strlen(text), more = strlen(stored);
-
-    if (used + more >= sizeof text)
-    {
-        memcpy(text + used, stored, sizeof text - used);
-        mark_truncated(text, sizeof text);
-    }
-    else
-    {
-        memcpy(text + used, stored, more + 1);
-    }
-    memcpy(stored, text, sizeof stored);
-    return status;
+    return status == DEM_OK || length < 0 ? status : dem_error(status, "%s%s", prefix, stored);
 }
 
 const char *dem_error_text(void)

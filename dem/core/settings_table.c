@@ -64,6 +64,13 @@ const struct dem_setting *dem_settings_find(const struct dem_setting *table, con
     return NULL;
 }
 
+double dem_settings_number(const struct dem_setting *table, const void *settings, const char *name)
+{
+    const struct dem_setting *const f = table ? dem_settings_find(table, name) : NULL;
+
+    return f ? *(const double *)(const void *)((const char *)settings + f->offset) : DEM_SETTING_REQUIRED;
+}
+
 static int unknown_name(const struct dem_setting *table, const char *owner, const char *name)
 {
     const char *known[MAX_NAMES];

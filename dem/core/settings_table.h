@@ -91,6 +91,9 @@ void dem_settings_set_defaults(const struct dem_setting *table, void *settings);
 /* The setting of that name, or null. */
 const struct dem_setting *dem_settings_find(const struct dem_setting *table, const char *name);
 
+/* The number of that name; not a number without such a setting, or without a table. */
+double dem_settings_number(const struct dem_setting *table, const void *settings, const char *name);
+
 /* Set a number (count 1) or vector (count 3). `owner` names the thing in messages: "hertz",
    "material glass". DEM_ERROR_INPUT for an unknown name, a wrong kind or a value out of range. */
 int dem_settings_set_number(const struct dem_setting *table, void *settings, const char *owner,

@@ -1,15 +1,14 @@
 /*
  * sum.c -- exact sum of doubles as one wide integer, rounded once when its value is read.
  *
- * A finite double is m 2^p in units of 2^-1074, with m an integer of 53 bits and 0 <= p <= 2045. It
- * is added to the three limbs from p/32 on, less than 2^32 on each; so an int64 limb holds 2^31
+ * A number is added to three limbs, less than 2^32 on each (sum_digits.h); so an int64 limb holds 2^31
  * additions, and carries are propagated after 2^30. All operations are on integers: nothing rounds
  * or raises a floating-point exception.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "core/sum.h"
-
+#include "core/sum_digits.h"
 #include <string.h>
 
 #define DIGIT 0xffffffffu
@@ -43,31 +42,21 @@ void dem_sum_normalise(struct dem_sum *s)
 
 void dem_sum_add(struct dem_sum *s, double value)
 {
-    uint64_t bits;
+    struct dem_sum_digits d;
 
-    memcpy(&bits, &value, sizeof bits);
-
-    const int negative = (int)(bits >> 63);
-    const int exponent = (int)(bits >> 52 & 0x7ff);
-    const uint64_t fraction = bits & 0xfffffffffffffu;
-
-    if (exponent == 0x7ff)
+    if (!dem_sum_digits_of(value, &d))
     {
-        s->part[fraction ? DEM_SUM_NAN : negative ? DEM_SUM_MINUS : DEM_SUM_PLUS]++;
+        const uint64_t bits = dem_math_bits(value);
+
+        s->part[bits & 0xfffffffffffffu ? DEM_SUM_NAN
+                : bits >> 63            ? DEM_SUM_MINUS
+                                        : DEM_SUM_PLUS]++;
         return;
     }
-
-    const uint64_t m = exponent ? fraction | UINT64_C(1) << 52 : fraction;
-    const int p = exponent ? exponent - 1 : 0;
-    const int shift = p%32;
-    const uint64_t low = (m & DIGIT) << shift, high = (m >> 32) << shift;
-    const uint64_t middle = (low >> 32) + (high & DIGIT);    /* no carry: they share no bit */
-    const int64_t sign = negative ? -1 : 1;
-    int64_t *limb = s->part + p/32;
-
-    limb[0] += sign*(int64_t)(low & DIGIT);
-    limb[1] += sign*(int64_t)middle;
-    limb[2] += sign*(int64_t)(high >> 32);
+    for (int k = 0; k < 3; k++)
+    {
+        s->part[d.first + k] += d.digit[k];
+    }
     if (++s->part[DEM_SUM_ADDED] >= MAX_ADDED)
     {
         dem_sum_normalise(s);

@@ -6,8 +6,7 @@
  * hence order-free; the value is rounded once, to nearest even, when it is read. Source: Kulisch,
  * "Computer Arithmetic and Validity", 2013.
  *
- *     struct dem_sum s;
- *     dem_sum_clear(&s);
+ *     struct dem_sum s = {0};
  *     dem_sum_add(&s, 0.5*m*v*v);
  *     dem_sum_normalise(&s);      before a reduction: MPI_SUM of s.part, DEM_SUM_PARTS of
  *                                 MPI_INT64_T
@@ -38,7 +37,7 @@ struct dem_sum
     int64_t part[DEM_SUM_PARTS];
 };
 
-void dem_sum_clear(struct dem_sum *s);
+void dem_sum_clear(struct dem_sum *s);                /* begin again */
 void dem_sum_add(struct dem_sum *s, double value);    /* any double; any number of times */
 /* propagate carries; then up to 2^30 ranks may be added */
 void dem_sum_normalise(struct dem_sum *s);

@@ -7,40 +7,17 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-
-/* 1 when the host would drop or blend one of two touching wall contacts, or share their springs:
-   nearly parallel normals, one contact point, or the contact point of one on the other's facet. The
-   limits are wider than walls/wall_touch.c and step/wall_springs.c have, so the host decides. */
-static int dem_facets_interact(global const struct dem_facet *a, global const struct dem_facet *b,
-                               global const struct dem_device_frame *frames, const double x[3],
-                               double radius)
-{
-    const double near = 2e-7*radius, nearly_flat = 0.866;
-    double point_a[3], normal_a[3], point_b[3], normal_b[3], apart[3], on[3], there[3];
-
-    if (dem_wall_touch(a, frames, x, point_a, normal_a) >= radius ||
-        dem_wall_touch(b, frames, x, point_b, normal_b) >= radius)
-    {
-        return 0;
-    }
-    dem_vec_minus(point_a, point_b, apart);
-    return dem_vec_dot(normal_a, normal_b) > nearly_flat || dem_vec_norm(apart) < near ||
-           fabs(dem_wall_touch(b, frames, point_a, on, there)) < near ||
-           fabs(dem_wall_touch(a, frames, point_b, on, there)) < near;
-}
+#include "particles/turn.h"
 
 /* Force and torque of the rows of a particle, in the order of partner ids; what they have dissipated,
-   to `lost`. Moments follow when all lever arms have been added. Returns the number of wall rows with
-   a force. */
-static uint dem_sum_rows(constant struct dem_device_batch *b, uint i, double radius,
+   to `lost`. Moments follow when all lever arms have been added. */
+static void dem_sum_rows(constant struct dem_device_batch *b, uint i, double radius,
                          global const uchar *restrict touch, global const double4 *restrict force,
                          global const double4 *restrict moment,
                          global const double4 *restrict energy, global const uint *restrict start,
                          global const uint *restrict entry, global double *restrict lost,
                          double f[3], double t[3])
 {
-    uint walls = 0;
-
     for (uint e = start[i]; e < start[i + 1]; e++)
     {
         const uint row = entry[e] >> 1;
@@ -62,7 +39,6 @@ static uint dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
 #if PAST_TOUCHING
         lost[i] += (row >= b->walls ? 1.0 : 0.5)*energy[row].y;
 #endif
-        walls += row >= b->walls;
     }
 #if MOMENTS
     for (uint e = start[i]; e < start[i + 1]; e++)
@@ -80,47 +56,16 @@ static uint dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
         }
     }
 #endif
-    return walls;
-}
-
-/* An event when two facets that a particle touches interact. Rows of walls are the last ones. */
-static void dem_check_corners(constant struct dem_device_batch *b,
-                              global struct dem_device_report *report, uint s, uint i,
-                              const double x[3], double radius,
-                              global const uint2 *restrict partners,
-                              global const struct dem_facet *restrict facets,
-                              global const struct dem_device_frame *restrict frames,
-                              global const uchar *restrict touch,
-                              global const uint *restrict start, global const uint *restrict entry)
-{
-    for (uint e = start[i + 1]; e > start[i] && entry[e - 1] >> 1 >= b->walls; e--)
-    {
-        const uint row = entry[e - 1] >> 1;
-
-        for (uint d = e - 1; d > start[i] && entry[d - 1] >> 1 >= b->walls; d--)
-        {
-            const uint other = entry[d - 1] >> 1;
-
-            if (touch[row] && touch[other] &&
-                dem_facets_interact(facets + partners[row].y, facets + partners[other].y,
-                                    frames + s*b->frames, x, radius))
-            {
-                dem_report_event(report, DEM_DEVICE_CORNER, s);
-            }
-        }
-    }
 }
 
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
 void bodies(constant struct dem_device_batch *b, global struct dem_device_report *report, uint s,
-            global double4 *restrict record, global const uint2 *restrict partners,
-            global const struct dem_facet *restrict facets, global const uchar *restrict touch,
+            global double4 *restrict record, global const uchar *restrict touch,
             global const double4 *restrict force, global const double4 *restrict moment,
             global const double4 *restrict energy, global const uint *restrict start,
             global const uint *restrict entry, global double *restrict lost,
-            constant struct dem_device_axes *axes,
-            global const struct dem_device_frame *restrict frames,
-            global double *restrict columns)
+            constant struct dem_device_axes *axes, global double *restrict columns,
+            global const double *restrict rates)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -134,15 +79,22 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
     {
         double4 x = record[4*(size_t)i], v = record[4*(size_t)i + 1], w = record[4*(size_t)i + 2];
         const double4 rest = record[4*(size_t)i + 3];
+#ifdef COLUMN_ORIENTATION
+        /* the host has turned particles before the first step */
+        global double4 *const turned =
+            (global double4 *)(columns + (size_t)COLUMN_ORIENTATION*b->particles) + i;
+        double turn_of[4] = {turned->x, turned->y, turned->z, turned->w};
+
+        if (b->first + (int64_t)s > b->first_of_all)
+        {
+            dem_turn(w.x, w.y, w.z, 0.5*b->dt, turn_of);
+            *turned = (double4)(turn_of[0], turn_of[1], turn_of[2], turn_of[3]);
+        }
+#endif
         double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
-        const double at[3] = {x.x, x.y, x.z};
         struct dem_body_row r;
 
-        if (dem_sum_rows(b, i, x.w, touch, force, moment, energy, start, entry, lost, f, t) > 1)
-        {
-            dem_check_corners(b, report, s, i, at, x.w, partners, facets, frames, touch, start,
-                              entry);
-        }
+        dem_sum_rows(b, i, x.w, touch, force, moment, energy, start, entry, lost, f, t);
         r.mass = rest.x;
         r.radius = x.w;
         r.fx = f[0];
@@ -157,14 +109,20 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 
         const double h = b->dt;
 
-#if FLUID
+#if FLUID || SCALARS
         const uint n = b->particles;
+#endif
+#if SCALARS
+        struct dem_particle_scalars q;
 
+        dem_particle_scalars_begin(columns, n, i, b->over_window, rates, touch, start, entry, &q);
+#endif
+#if FLUID
         dem_fluid_begin(columns, n, i, b->over_window, &r);
-        BODIES(&r);
+        BODIES(BODY_ARGUMENTS);
         dem_fluid_kick(columns, n, i, h, &r, &v);
 #else
-        BODIES(&r);
+        BODIES(BODY_ARGUMENTS);
 
         const double step = h*v.w;
 
@@ -185,6 +143,12 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         w.x += turn*t[0];
         w.y += turn*t[1];
         w.z += turn*t[2];
+#endif
+#if SCALARS
+        if (dem_particle_scalars_end(columns, n, i, h, rest.x, (uint)as_ulong(rest.z) & 0xffffu, &q))
+        {
+            dem_report_event(report, DEM_DEVICE_NOT_FINITE, s);
+        }
 #endif
         v.x = axes->flat[0] ? 0.0 : v.x;
         v.y = axes->flat[1] ? 0.0 : v.y;

@@ -1,5 +1,5 @@
 /*
- * device_columns.c -- the columns of particles in a fluid on the device, one after the other in one
+ * device_columns.c -- columns of particles on the device: a fluid's, orientations, scalars; one after the other in one
  * memory.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -33,12 +33,14 @@ static const struct
     {DEM_COLUMN_DRAG_TIME, "DRAG_TIME", 1},
     {DEM_COLUMN_OTHER_IMPULSE, "OTHER_IMPULSE", 1},
     {DEM_COLUMN_ANGULAR_IMPULSE, "ANGULAR_IMPULSE", 1},
+    {DEM_COLUMN_OWN_WAKE, "OWN_WAKE", 0},
+    {DEM_COLUMN_ORIENTATION, "ORIENTATION", 1},
 };
 
 enum
 {
-    /* the last: viscosity, the only scalar of a batch */
-    COLUMNS = (int)(sizeof list/sizeof *list) + 1
+    NAMED = (int)(sizeof list/sizeof *list),
+    COLUMNS = NAMED + DEM_FURTHER_COLUMNS    /* those of scalars follow */
 };
 
 struct column
@@ -51,13 +53,11 @@ struct column
 static struct column column_at(const struct dem_particles *p, int k)
 {
     const struct dem_column *const of =
-        k < COLUMNS - 1   ? &p->column[list[k].column]
-        : p->batch.n == 1 ? &p->column[p->batch.at[0].column]
-                          : NULL;
+        &p->column[k < NAMED ? (int)list[k].column : DEM_COLUMNS + k - NAMED];
 
-    return (struct column){.name = k < COLUMNS - 1 ? list[k].name : "VISCOSITY",
-                           .of = of && of->data ? of : NULL,
-                           .changes = k < COLUMNS - 1 ? list[k].changes : 0};
+    return (struct column){.name = k < NAMED ? list[k].name : NULL,
+                           .of = of->data ? of : NULL,
+                           .changes = k < NAMED ? list[k].changes : 1};
 }
 
 int dem_device_columns_text(const struct dem_particles *p, struct dem_text *text)
@@ -68,11 +68,20 @@ int dem_device_columns_text(const struct dem_particles *p, struct dem_text *text
     {
         const struct column c = column_at(p, k);
 
-        if (c.of)
+        if (c.of && c.name)
         {
             dem_text_add(text, "#define COLUMN_%s %zu\n", c.name, before);
-            before += (size_t)c.of->width;
         }
+        else if (c.of)
+        {
+            dem_text_add(text, "#define COLUMN_FURTHER_%d %zu\n", k - NAMED, before);
+        }
+        before += c.of ? (size_t)c.of->width : 0;
+    }
+    if (p->batch.n == 1)
+    {
+        dem_text_add(text, "#define COLUMN_VISCOSITY COLUMN_FURTHER_%d\n",
+                     p->batch.at[0].column - DEM_COLUMNS);
     }
     return dem_column(p, DEM_COLUMN_FLUID_VELOCITY) != NULL;
 }

@@ -1,5 +1,5 @@
 /*
- * device_columns.h -- the columns of particles in a fluid on the device.
+ * device_columns.h -- columns of particles on the device: a fluid's, orientations, scalars.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,7 +10,7 @@
 #include "device/opencl_device.h"
 #include "particles/particles.h"
 
-/* #define COLUMN_<NAME> of each column that these particles have, for fluid.cl: numbers per particle
+/* #define COLUMN_<NAME> of each column, COLUMN_FURTHER_<k> of those of scalars, that these particles have, for kernels: numbers per particle
    before it. Returns 1 when there is a fluid. */
 int dem_device_columns_text(const struct dem_particles *, struct dem_text *);
 

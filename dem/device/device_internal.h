@@ -20,6 +20,7 @@ enum
 struct dem_device_rows
 {
     struct dem_opencl_memory partners, start, entry, touch, history;
+    struct dem_opencl_memory near;      /* of wall rows (facets.cl) */
     uint32_t rows, walls;               /* walls: the first row of a wall */
     uint32_t first[DEM_DEVICE_CLASSES + 1];    /* row of each class; the last: rows */
 };
@@ -39,19 +40,22 @@ struct dem_device
     int classes;
     struct dem_opencl_kernel *of_rows[DEM_DEVICE_CLASSES], *bodies, *clear;
     struct dem_opencl_kernel *of_lists[DEM_LISTS_KERNELS];
+    struct dem_opencl_kernel *of_facets, *of_triangles, *of_near;    /* NULL: not needed */
+    struct dem_opencl_kernel *of_loads;
 
     /* constants, a batch of steps and its report */
     struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class;
+    struct dem_opencl_memory triangles, grid_first, grid, images;
     struct dem_opencl_memory batch, report;
     /* of particles, and a copy from before the batch */
     struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
     /* of rows: the present lists and those before; results of a step; a copy */
     struct dem_device_rows list[2];
     int at;
-    struct dem_opencl_memory force, moment, energy, before_touch, before_history;
+    struct dem_opencl_memory force, moment, energy, contacts, loads, conditions, rates, before_touch, before_history;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
-        image, totals, largest;
+        image, totals, largest, candidate_start, candidates;
 
     int makes_lists;                    /* 1: sizes are such that the device makes lists, too */
     int own;                            /* 1: the present lists are made here, not on the host */
@@ -88,10 +92,37 @@ int dem_device_make_lists(struct dem_device *, const struct dem_state *, double 
 int dem_device_displacement(struct dem_device *, const struct dem_state *, double *moved);
 int dem_device_refer(struct dem_device *, const struct dem_state *);
 
+/* device_scan.c: zeros, n and one more; exclusive sums of n numbers in place, their sum after the
+   last. */
+int dem_device_clear(struct dem_device *, struct dem_opencl_memory *, size_t n);
+int dem_device_scan(struct dem_device *, struct dem_opencl_memory *, size_t n);
+
+/* The images of the rows, before particles and walls are wrapped. */
+int dem_device_keep_images(struct dem_device *);
+
+/* device_facets.c: facets, and triangles if there are any. Constants; what the host's lists say of wall
+   rows; the image in the key of a wall row whose facet has an image of this code; walls taken whole periods back; candidates, and what wall rows have to know, of new lists; the
+   arguments of the kernel of contacts, and its launch in step s. */
+int dem_device_begin_facets(struct dem_device *, const struct dem_state *);
+int dem_device_put_near(struct dem_device *, const struct dem_state *);
+uint32_t dem_device_facet_image(const struct dem_walls *, const struct dem_facet *, uint32_t code,
+                                uint32_t particle);
+int dem_device_wrap_walls(struct dem_device *, struct dem_state *);
+int dem_device_find_candidates(struct dem_device *, const struct dem_state *);
+int dem_device_find_near(struct dem_device *, const struct dem_state *);
+int dem_device_give_facets(struct dem_device *);
+int dem_device_launch_facets(struct dem_device *, const struct dem_state *, uint32_t s);
+
 /* device_walls.c: walls move along with the steps of a batch. */
 int dem_device_move_walls(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
                           struct dem_device_batch *, uint32_t *n, double skin);
 void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *);
+
+/* device_loads.c: loads on walls in a batch of steps, if they are asked for: begin with zero, the sums of
+   a step, add them to the host's. */
+int dem_device_begin_loads(struct dem_device *, const struct dem_state *);
+int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint32_t s);
+int dem_device_add_loads(struct dem_device *, struct dem_state *);
 
 /* All memory in turn, for k from 0; NULL past the last. */
 struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);

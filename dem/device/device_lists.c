@@ -15,7 +15,6 @@
 
 enum
 {
-    SCAN_BLOCK = 16*DEM_DEVICE_GROUP,   /* SCAN_ITEMS of scan.cl times the items of a group */
     SIZE_RATIO = 5                      /* with more, cells of one grid hold too many of the small */
 };
 
@@ -61,28 +60,6 @@ static int put_drives(struct dem_device *d, const struct dem_walls *w)
     return DEM_OK;
 }
 
-/* A facet names the frame and the drive of its wall. */
-static int put_facets(struct dem_device *d, const struct dem_walls *w)
-{
-    const size_t bytes = (size_t)w->facets*sizeof *w->facet;
-    struct dem_facet *facet;
-
-    DEM_TRY(DEM_NEW(facet, w->facets + 1));
-    memcpy(facet, w->facet, bytes);
-    for (int k = 0; k < w->facets; k++)
-    {
-        const int wall = w->facet[k].wall;
-
-        facet[k].wall = w->wall[wall].frame;
-        facet[k].number = w->wall[wall].driven ? wall : -1;
-    }
-    int status = dem_opencl_reserve(d->cl, &d->facets, bytes);
-
-    status = status ? status : dem_opencl_write(d->cl, &d->facets, 0, bytes, facet);
-    dem_memory_free(facet);
-    return status;
-}
-
 int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_interaction_table *const t = &state->interaction_table;
@@ -94,7 +71,7 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     }
     d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !state->domain.remove &&
                      state->flows->n == 0 && state->particles.n < UINT32_MAX/(size_t)d->classes;
-    DEM_TRY(put_facets(d, &state->walls));
+    DEM_TRY(dem_device_begin_facets(d, state));
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
@@ -166,70 +143,56 @@ static struct dem_device_lists constants_of(const struct dem_device *d,
         l.max[k] = domain->max[k];
         l.length[k] = domain->length[k];
         l.unit[k] = domain->unit[k];
+        l.grid_origin[k] = state->pairs.wall_search.origin[k];
+        l.grid_cells[k] = state->pairs.wall_search.cells[k];
     }
     l.particles = (uint32_t)state->particles.n;
-    l.facets = (uint32_t)state->walls.facets;
+    l.frames = state->walls.frames;
+    while ((int)l.facets < state->walls.facets &&
+           state->walls.facet[l.facets].shape != DEM_SHAPE_TRIANGLES)
+    {
+        l.facets++;
+    }
+    l.grid_edge = state->pairs.wall_search.edge;
     l.materials = DEM_MATERIALS;
     l.columns = (uint32_t)state->interaction_table.history_columns;
     l.old_stride = old->rows;
     l.old_walls = old->walls;
     l.keep_all = state->interaction_table.past_touching;
+    l.keep_frozen = state->interaction_table.contact_scalars;
     return l;
-}
-
-/* ---- sums -------------------------------------------------------------------------------------- */
-
-static int clear(struct dem_device *d, struct dem_opencl_memory *m, size_t n)
-{
-    struct dem_opencl_kernel *const k = d->of_lists[DEM_SCAN_CLEAR];
-
-    DEM_TRY(dem_opencl_reserve(d->cl, m, (n + 1)*sizeof(uint32_t)));
-    DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)(n + 1)));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, m));
-    return dem_opencl_launch(d->cl, k, n + 1);
-}
-
-/* Exclusive sums of n numbers in place; their sum after the last. */
-static int scan(struct dem_device *d, struct dem_opencl_memory *m, size_t n)
-{
-    const size_t blocks = (n + SCAN_BLOCK - 1)/SCAN_BLOCK;
-    struct dem_opencl_kernel *const *const k = d->of_lists;
-
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->sums, (blocks + 1)*sizeof(uint32_t)));
-    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_BLOCKS], 0, (uint32_t)n));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_BLOCKS], 1, m, &d->sums));
-    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_SCAN_BLOCKS], blocks*DEM_DEVICE_GROUP));
-    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_SUMS], 0, (uint32_t)blocks));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_SUMS], 1, &d->sums));
-    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_SCAN_SUMS], DEM_DEVICE_GROUP));
-    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_SCAN_FINISH], 0, (uint32_t)n));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_SCAN_FINISH], 1, m, &d->sums));
-    return dem_opencl_launch(d->cl, k[DEM_SCAN_FINISH], blocks*DEM_DEVICE_GROUP);
 }
 
 /* ---- the lists --------------------------------------------------------------------------------- */
 
-/* Images of the old rows; then particles wrapped, and ordered by cell. */
+int dem_device_keep_images(struct dem_device *d)
+{
+    struct dem_opencl_kernel *const k = d->of_lists[DEM_LISTS_IMAGES];
+    struct dem_device_rows *const list = &d->list[d->at];
+
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->image, (size_t)list->rows*sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_give_number(d->cl, k, 0, list->rows));
+    DEM_TRY(dem_opencl_give_number(d->cl, k, 1, list->walls));
+    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 2, &d->record, &list->partners, &d->image, &d->facets,
+                            &d->images, &list->near));
+    return dem_opencl_launch(d->cl, k, list->rows);
+}
+
+/* Particles wrapped, and ordered by cell. */
 static int sort_particles(struct dem_device *d, const struct dem_device_lists *l)
 {
     struct dem_opencl_kernel *const *const k = d->of_lists;
-    struct dem_device_rows *const old = &d->list[d->at];
     const size_t n = l->particles,
                  cells = (size_t)l->cells[0]*(size_t)l->cells[1]*(size_t)l->cells[2];
 
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->image, (size_t)old->rows*sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->cell, n*sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->place, n*sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->order, n*sizeof(uint32_t)));
-    DEM_TRY(clear(d, &d->first, cells));
-    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 0, old->rows));
-    DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_IMAGES], 1, old->walls));
-    DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_IMAGES], 2, &d->record, &old->partners, &d->image));
-    DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_IMAGES], old->walls));
+    DEM_TRY(dem_device_clear(d, &d->first, cells));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_CELLS], 0, &d->lists, &d->record, &d->reference,
                             &d->cell, &d->place, &d->first, &d->largest));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_CELLS], n));
-    DEM_TRY(scan(d, &d->first, cells));
+    DEM_TRY(dem_device_scan(d, &d->first, cells));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ORDER], 0, &d->lists, &d->cell, &d->place, &d->first,
                             &d->order));
     return dem_opencl_launch(d->cl, k[DEM_LISTS_ORDER], n);
@@ -242,14 +205,15 @@ static int count(struct dem_device *d, const struct dem_state *state, struct dem
     const size_t n = state->particles.n, classes = (size_t)d->classes;
     uint32_t entries;
 
-    DEM_TRY(clear(d, &list->start, n));
-    DEM_TRY(clear(d, &d->row_first, classes*n));
+    DEM_TRY(dem_device_clear(d, &list->start, n));
+    DEM_TRY(dem_device_clear(d, &d->row_first, classes*n));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_COUNT], 0, &d->lists, &d->record, &d->first,
-                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames,
+                            &d->triangles, &d->candidate_start, &d->candidates, &list->start,
                             &d->row_first));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_COUNT], n));
-    DEM_TRY(scan(d, &list->start, n));
-    DEM_TRY(scan(d, &d->row_first, classes*n));
+    DEM_TRY(dem_device_scan(d, &list->start, n));
+    DEM_TRY(dem_device_scan(d, &d->row_first, classes*n));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_TOTALS], 0, (uint32_t)n));
     DEM_TRY(dem_opencl_give_number(d->cl, k[DEM_LISTS_TOTALS], 1, (uint32_t)classes));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_TOTALS], 2, &d->row_first, &list->start, &d->totals));
@@ -275,7 +239,8 @@ static int fill(struct dem_device *d, const struct dem_state *state, struct dem_
     const size_t n = state->particles.n;
 
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_FIND], 0, &d->lists, &d->record, &d->first,
-                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames, &list->start,
+                            &d->order, &d->pair_class, &d->wall_class, &d->facets, &d->frames,
+                            &d->triangles, &d->candidate_start, &d->candidates, &list->start,
                             &d->partner));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_FIND], n));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ROWS], 0, &d->lists, &d->record, &d->pair_class,
@@ -285,9 +250,11 @@ static int fill(struct dem_device *d, const struct dem_state *state, struct dem_
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_ENTRIES], 0, &d->lists, &d->record, &list->start,
                             &d->partner, &list->entry));
     DEM_TRY(dem_opencl_launch(d->cl, k[DEM_LISTS_ENTRIES], n));
+    DEM_TRY(dem_device_find_near(d, state));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_HISTORY], 0, &d->lists, &d->record, &list->start,
                             &d->partner, &list->entry, &old->start, &old->entry, &old->partners,
-                            &d->image, &old->touch, &old->history, &list->touch, &list->history));
+                            &d->image, &old->touch, &old->history, &list->touch, &list->history,
+                            &d->facets, &d->images, &list->near));
     return dem_opencl_launch(d->cl, k[DEM_LISTS_HISTORY], n);
 }
 
@@ -301,12 +268,14 @@ int dem_device_make_lists(struct dem_device *d, const struct dem_state *state, d
     DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
     DEM_TRY(dem_opencl_write(d->cl, &d->largest, 0, sizeof left, &left));
     DEM_TRY(sort_particles(d, &l));
+    DEM_TRY(dem_device_find_candidates(d, state));
     DEM_TRY(count(d, state, list));
     DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof left, &left));
     *outside = left != 0;
     d->at = 1 - d->at;
     DEM_TRY(dem_device_reserve_rows(d, state, list->rows));
     l.stride = list->rows;
+    l.walls = list->walls;
     DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
     d->own = 1;
     d->counts.lists++;

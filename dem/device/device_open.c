@@ -23,11 +23,6 @@ enum
 
 /* ---- open and close ---------------------------------------------------------------------------- */
 
-static int has_surface(const struct dem_state *state)
-{
-    return !state->walls.all_flat_static;
-}
-
 static int find_kernels(struct dem_device *d)
 {
     static const char *const lists[DEM_LISTS_KERNELS] = {
@@ -47,6 +42,7 @@ static int find_kernels(struct dem_device *d)
         DEM_TRY(dem_opencl_kernel(d->cl, lists[k], &d->of_lists[k]));
     }
     DEM_TRY(dem_opencl_kernel(d->cl, "bodies", &d->bodies));
+    DEM_TRY(dem_opencl_kernel(d->cl, "wall_loads", &d->of_loads));
     return dem_opencl_kernel(d->cl, "clear_apart", &d->clear);
 }
 
@@ -54,8 +50,7 @@ static int build(struct dem_device *d, const struct dem_state *state)
 {
     struct dem_text text = {.text = NULL};
     uint64_t key = 0;
-    int status = dem_device_program(&state->interaction_table, &state->particles, has_surface(state),
-                                    &text);
+    int status = dem_device_program(&state->interaction_table, &state->particles, &state->walls, &text);
 
     status = status ? status : dem_opencl_build(d->cl, text.text, &key);
     dem_text_free(&text);
@@ -151,7 +146,9 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
-        &d->batch, &d->report,
+        &d->batch, &d->report, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->loads, &d->conditions,
+        &d->rates,
+        &d->candidate_start, &d->candidates, &a->near, &b->near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
         &d->before_columns, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
@@ -197,7 +194,8 @@ double dem_device_memory(const struct dem_state *state)
     const size_t particle = 2*sizeof(struct dem_particle) + (7 + (size_t)t->classes)*sizeof(uint32_t) +
                             (4 + 2 + 2*columns)*sizeof(double);
     const size_t row = 3 + 11*sizeof(uint32_t) +
-                       (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history)*sizeof(double);
+                       (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history +
+                        2*(size_t)(t->contact_scalars ? t->listed : 0))*sizeof(double);
 
     return n*(double)particle + rows*(double)row;
 }

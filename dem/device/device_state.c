@@ -81,6 +81,8 @@ int dem_device_reserve_rows(struct dem_device *d, const struct dem_state *state,
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_history, history));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->force, 2*n*number));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->moment, t->moments ? n*number : 0));
+    DEM_TRY(dem_opencl_reserve(
+        d->cl, &d->rates, t->contact_scalars ? 2*n*(size_t)t->listed*sizeof(double) : 0));
     return dem_opencl_reserve(d->cl, &d->energy, t->past_touching ? n*number : 0);
 }
 
@@ -96,6 +98,7 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
     }
     DEM_TRY(put_partners(d, state));
     DEM_TRY(put_entries(d, state));
+    DEM_TRY(dem_device_put_near(d, state));
     DEM_TRY(dem_device_reserve_rows(d, state, rows->n));
     list->rows = rows->n;
     list->walls = rows->walls;
@@ -165,8 +168,9 @@ static int get_rows(struct dem_device *d, struct dem_contact_history *h)
     return DEM_OK;
 }
 
+/* near: of a wall row, or NULL. */
 static struct dem_contact_key key_of(const struct dem_state *state, const uint32_t partners[2],
-                                     int wall)
+                                     int wall, const uint32_t *near)
 {
     const struct dem_particle *const record = state->particles.record,
                               *const i = &record[partners[0]];
@@ -174,7 +178,10 @@ static struct dem_contact_key key_of(const struct dem_state *state, const uint32
 
     if (wall)
     {
-        key.high = -1 - state->walls.facet[partners[1]].number;
+        const struct dem_facet *const facet = &state->walls.facet[partners[1]];
+
+        key.high = -1 - facet->number;
+        key.image = near ? dem_device_facet_image(&state->walls, facet, near[3], i->image) : 0;
     }
     else
     {
@@ -204,7 +211,12 @@ static int save_rows(struct dem_device *d, struct dem_state *state, const double
         }
         if (some)
         {
-            const struct dem_contact_key key = key_of(state, d->word + 2*row, row >= list->walls);
+            const int wall = row >= list->walls;
+            const struct dem_contact_key key =
+                key_of(state, d->word + 2*(size_t)row, wall,
+                       wall && d->of_near ? d->word + 2*(size_t)list->rows +
+                                                4*(size_t)(row - list->walls)
+                                          : NULL);
 
             DEM_TRY(dem_contact_history_append(h, &key, values));
         }
@@ -225,13 +237,17 @@ static int get_saved(struct dem_device *d, struct dem_state *state)
     dem_contact_forces_clear(&c->forces);
     state->stale = 2;
     DEM_TRY(DEM_NEW(history, numbers + 1));
-    int status = DEM_GROW(d->word, d->words, 2*(size_t)list->rows);
+    const size_t near = d->of_near ? 4*(size_t)(list->rows - list->walls) : 0;
+    int status = DEM_GROW(d->word, d->words, 2*(size_t)list->rows + near);
 
     status = status ? status
                     : dem_opencl_read(d->cl, &list->history, 0, numbers*sizeof *history, history);
     status = status ? status
                     : dem_opencl_read(d->cl, &list->partners, 0,
                                       2*(size_t)list->rows*sizeof *d->word, d->word);
+    status = status ? status
+                    : dem_opencl_read(d->cl, &list->near, 0, near*sizeof *d->word,
+                                      d->word + 2*(size_t)list->rows);
     status = status ? status : save_rows(d, state, history);
     dem_memory_free(history);
     return status;

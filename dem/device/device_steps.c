@@ -1,8 +1,8 @@
 /*
  * device_steps.c -- make steps on a device.
  *
- * A step is one kernel for each pair class and one for the particles, in this order; the queue keeps
- * it. After up to DEM_DEVICE_BATCH steps the host reads a report. A step of which the lists might
+ * A step is one kernel for contacts with facets, if there are several, one for each pair class and one
+ * for the particles, in this order; the queue keeps it. After up to DEM_DEVICE_BATCH steps the host reads a report. A step of which the lists might
  * miss a contact is left out by the kernels themselves, and so are all after it. Then displacements
  * are measured, and lists are made anew if they are used up.
  *
@@ -35,6 +35,7 @@ static int give_arguments(struct dem_device *d)
 {
     struct dem_device_rows *const list = &d->list[d->at];
 
+    DEM_TRY(dem_device_give_facets(d));
     for (int k = 0; k < d->classes; k++)
     {
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 0, &d->batch, &d->report));
@@ -42,16 +43,18 @@ static int give_arguments(struct dem_device *d)
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
                                 &d->facets, &list->touch, &list->history, &d->force, &d->moment,
-                                &d->energy, &d->frames, &d->columns, &d->drives));
+                                &d->energy, &d->frames, &d->columns, &d->drives, &d->contacts,
+                                &d->conditions, &d->rates));
     }
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
-    return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->partners, &d->facets, &list->touch,
-                           &d->force, &d->moment, &d->energy, &list->start, &list->entry, &d->lost,
-                           &d->axes, &d->frames, &d->columns);
+    return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->touch, &d->force, &d->moment,
+                           &d->energy, &list->start, &list->entry, &d->lost, &d->axes, &d->columns,
+                           &d->rates);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
 {
+    DEM_TRY(dem_device_launch_facets(d, state, s));
     for (int k = 0; k < d->classes; k++)
     {
         if (rows_of_class(d, k) > 0)
@@ -60,6 +63,7 @@ static int launch_step(struct dem_device *d, const struct dem_state *state, uint
             DEM_TRY(dem_opencl_launch(d->cl, d->of_rows[k], rows_of_class(d, k)));
         }
     }
+    DEM_TRY(dem_device_launch_loads(d, state, s));
     DEM_TRY(dem_opencl_give_number(d->cl, d->bodies, 2, s));
     return dem_opencl_launch(d->cl, d->bodies, state->particles.n);
 }
@@ -107,6 +111,7 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .window_start = state->window.start,
         .over_window = state->window.length > 0.0 ? 1.0/state->window.length : 0.0,
         .first = steps->first + steps->made,
+        .first_of_all = steps->first,
         /* a margin for rounding: the host decides */
         .max_overlap = state->limits.limit*(1.0 - 0x1p-20),
         .overlap = (float)state->limits.overlap,
@@ -131,6 +136,7 @@ static int make_batch(struct dem_device *d, struct dem_state *state,
     DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
     DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
     DEM_TRY(give_arguments(d));
+    DEM_TRY(dem_device_begin_loads(d, state));
     for (uint32_t s = 0; s < *n; s++)
     {
         DEM_TRY(launch_step(d, state, s));
@@ -193,6 +199,7 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
         d->counts.repeated += until;
         return copy_state(d, state, 1);
     }
+    DEM_TRY(dem_device_add_loads(d, state));
     d->wait = made > 0 ? 0 : d->wait;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
@@ -222,6 +229,12 @@ static int renew_lists(struct dem_device *d, struct dem_state *state,
         {
             *end = 1;
             return DEM_OK;
+        }
+        DEM_TRY(dem_device_keep_images(d));
+        if (state->walls.periodic)
+        {
+            DEM_TRY(dem_device_wrap_walls(d, state));
+            DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin));
         }
         for (enum dem_list l = 0; l < DEM_LISTS; l++)
         {

@@ -28,6 +28,14 @@ static void dem_fluid_begin(global const double *restrict columns, uint n, uint 
     r->drag = r->drag_ux = r->drag_uy = r->drag_uz = r->rx = r->ry = r->rz = 0.0;
     r->spin_drag = r->spin_drag_wx = r->spin_drag_wy = r->spin_drag_wz = 0.0;
     LOAD_VECTOR(FLUID_VELOCITY, ux, uy, uz);
+#ifdef COLUMN_OWN_WAKE
+    global const double *const wake =
+        columns + (size_t)COLUMN_OWN_WAKE*n + DEM_DEVICE_WAKE*(size_t)i;
+
+    r->ux -= wake[0];
+    r->uy -= wake[1];
+    r->uz -= wake[2];
+#endif
     LOAD_VECTOR(PRESSURE_GRADIENT, gx, gy, gz);
 #ifdef COLUMN_FLUID_ACCELERATION
     LOAD_VECTOR(FLUID_ACCELERATION, ax, ay, az);

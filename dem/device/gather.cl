@@ -74,7 +74,7 @@ static void dem_row_begin(constant struct dem_device_batch *b, uint s, struct de
 }
 
 static void dem_row_of_pair(global const double4 *restrict record, uint2 partners,
-                            global const double4 *restrict shift, int random,
+                            global const double4 *restrict shift, int random, int scalars,
                             struct dem_gathered *gathered, struct dem_contact_row *r)
 {
     const uint i = partners.x, j = partners.y & ((1u << 27) - 1);
@@ -91,7 +91,8 @@ static void dem_row_of_pair(global const double4 *restrict record, uint2 partner
     g.vx[0] = vi.x - vj.x;
     g.vy[0] = vi.y - vj.y;
     g.vz[0] = vi.z - vj.z;
-    g.inverse_mass[0] = vi.w + vj.w;
+    /* frozen partners exchange scalars */
+    g.inverse_mass[0] = scalars && !(vi.w + vj.w > 0.0) ? 1.0 : vi.w + vj.w;
     g.ax[0] = xi.w*wi.x + xj.w*wj.x;
     g.ay[0] = xi.w*wi.y + xj.w*wj.y;
     g.az[0] = xi.w*wi.z + xj.w*wj.z;
@@ -162,9 +163,9 @@ static void dem_row_add_surface(global const struct dem_facet *restrict in_memor
         spin[1] = s.sine_rate*s.axis[1];
         spin[2] = s.sine_rate*s.axis[2];
     }
-    if (facet.number >= 0)
+    if (facet.largest & DEM_DEVICE_DRIVEN)
     {
-        const struct dem_wall_drive drive = drives[facet.number];
+        const struct dem_wall_drive drive = drives[facet.largest >> 2];
 
         dem_wall_drive_add(&drive, facet.wall >= 0 ? &pose : 0, &facet, point, normal, velocity,
                            spin);
@@ -185,19 +186,36 @@ static void dem_row_add_surface(global const struct dem_facet *restrict in_memor
     r->reduced_radius = dem_facet_reduced_radius(&facet, r->min_radius);
 }
 
-/* surface: some wall of the scene is curved, moves or conveys. */
+/* contact: from facets.cl, or NULL. random: rows have a random number; surface: some wall of the scene is
+   curved, moves or conveys. */
 static void dem_row_of_wall(global const double4 *restrict record,
+                            global const double4 *restrict contact,
                             global const struct dem_facet *restrict facet,
                             global const struct dem_device_frame *restrict frames,
-                            global const struct dem_wall_drive *restrict drives, int surface,
-                            struct dem_gathered *gathered, struct dem_contact_row *r)
+                            global const struct dem_wall_drive *restrict drives, int random,
+                            int surface, struct dem_gathered *gathered, struct dem_contact_row *r)
 {
     const double4 x = record[0], v = record[1], w = record[2];
     const double at[3] = {x.x, x.y, x.z};
-    double point[3], normal[3];
+    double point[3], normal[3], h;
     struct dem_gathered g;
 
-    const double h = dem_wall_touch(facet, frames, at, point, normal);
+    if (contact)
+    {
+        const double4 p = contact[0], n = contact[1];
+
+        point[0] = p.x;
+        point[1] = p.y;
+        point[2] = p.z;
+        normal[0] = n.x;
+        normal[1] = n.y;
+        normal[2] = n.z;
+        h = p.w;
+    }
+    else
+    {
+        h = dem_wall_touch(facet, frames, at, point, normal);
+    }
     const double distance = h < 4.0*x.w ? h : 4.0*x.w;
 
     g.vx[0] = v.x;
@@ -229,8 +247,16 @@ static void dem_row_of_wall(global const double4 *restrict record,
         r->normal_spin += 0.5*((0.5*g.bx[0] - r->wx)*r->nx + (0.5*g.by[0] - r->wy)*r->ny +
                                (0.5*g.bz[0] - r->wz)*r->nz);
     }
-    r->distance = h;
-    r->gap = h - r->min_radius;
+    if (random)
+    {
+        r->pair_random = dem_random_unit(as_ulong(record[3].y), (ulong)(-1L - facet->number), 0, 0);
+    }
+    /* another facet has taken over the contact: along the old normal */
+    r->is_primary = h > 0.5*DBL_MAX ? 0.0 : 1.0;
+    r->distance = h > 0.5*DBL_MAX ? (x.x - point[0])*normal[0] + (x.y - point[1])*normal[1] +
+                                        (x.z - point[2])*normal[2]
+                                  : h;
+    r->gap = r->distance - r->min_radius;
     *gathered = g;
 }
 

@@ -32,13 +32,37 @@ static uint dem_material(ulong bits) { return (uint)bits & 0xffffu; }
 static uint dem_frozen(ulong bits) { return (uint)(bits >> 16) & 1u; }    /* DEM_PARTICLE_FROZEN */
 static uint dem_image(ulong bits) { return (uint)(bits >> 32); }
 
+/* The image of a facet as a particle with these bits meets it, which stays. */
+static uint dem_image_of_row(ulong bits, uint facet, global const struct dem_facet *restrict facets,
+                             global const struct dem_device_images *restrict images,
+                             global const uint4 *restrict near, uint at)
+{
+#if TRIANGLES
+    const struct dem_device_images of = images[facets[facet].wall + 1];
+    int8_t n[3];
+
+    dem_image_numbers(near[at].w, n);
+    return dem_facet_image(facets[facet].distinct, of.turns, n, dem_image(bits));
+#else
+    return 0;
+#endif
+}
+
 /* Before particles are wrapped: the image of each pair, which stays. */
 kernel void lists_images(uint rows, uint walls, global const double4 *restrict record,
-                         global const uint2 *restrict partners, global uint *restrict image)
+                         global const uint2 *restrict partners, global uint *restrict image,
+                         global const struct dem_facet *restrict facets,
+                         global const struct dem_device_images *restrict images,
+                         global const uint4 *restrict near)
 {
     const uint row = get_global_id(0);
 
-    if (row < walls && row < rows)
+    if (row >= walls && row < rows)
+    {
+        image[row] = dem_image_of_row(dem_bits(record, partners[row].x), partners[row].y, facets,
+                                      images, near, row - walls);
+    }
+    else if (row < rows)
     {
         const uint j = partners[row].y & ((1u << SHIFT_BITS) - 1);
 
@@ -151,7 +175,7 @@ static uint dem_try_partner(constant struct dem_device_lists *l,
     const ulong bits_i = dem_bits(record, i), bits_j = dem_bits(record, j);
 
     if (i == j || !(dx*dx + dy*dy + dz*dz < reach*reach) ||
-        (dem_frozen(bits_i) && dem_frozen(bits_j)))
+        (dem_frozen(bits_i) && dem_frozen(bits_j) && !l->keep_frozen))
     {
         return 0;
     }
@@ -209,12 +233,32 @@ static uint dem_find_partners(constant struct dem_device_lists *l,
     return n;
 }
 
-/* The facets near a particle; frozen ones have none. Returns their number. */
+/* A facet: counted in its class, or inserted into the list. */
+static void dem_add_facet(constant struct dem_device_lists *l, global const int *wall_classes,
+                          uint material, uint facet, uint i, global uint *rows, global uint *list,
+                          uint n)
+{
+    if (list)
+    {
+        list[n] = facet | FACET << SHIFT_BITS;
+    }
+    else
+    {
+        rows[(size_t)wall_classes[facet*l->materials + material]*l->particles + i]++;
+    }
+}
+
+/* The facets near a particle: l->facets without triangles come first; frozen particles have none
+   but for scalars.
+   Returns their number. */
 static uint dem_find_facets(constant struct dem_device_lists *l,
                             global const double4 *restrict record,
                             global const struct dem_facet *restrict facets,
                             global const struct dem_device_frame *restrict frames,
-                            global const int *wall_classes, uint i, global uint *rows,
+                            global const int *wall_classes,
+                            global const struct dem_device_triangle *restrict triangles,
+                            global const uint *restrict candidate_start,
+                            global const uint *restrict candidates, uint i, global uint *rows,
                             global uint *list)
 {
     const double4 x = record[4*(size_t)i];
@@ -222,23 +266,28 @@ static uint dem_find_facets(constant struct dem_device_lists *l,
     const ulong bits = dem_bits(record, i);
     uint n = 0;
 
-    for (uint f = 0; f < l->facets && !dem_frozen(bits); f++)
+    for (uint f = 0; f < l->facets && (l->keep_frozen || !dem_frozen(bits)); f++)
     {
         double point[3], normal[3];
 
         if (dem_wall_touch(facets + f, frames, at, point, normal) < x.w + l->gap)
         {
-            if (list)
-            {
-                list[n] = f | FACET << SHIFT_BITS;
-            }
-            else
-            {
-                rows[(size_t)wall_classes[f*l->materials + dem_material(bits)]*l->particles + i]++;
-            }
-            n++;
+            dem_add_facet(l, wall_classes, dem_material(bits), f, i, rows, list, n++);
         }
     }
+#if TRIANGLES
+    for (uint c = candidate_start[i]; c < candidate_start[i + 1]; c++)
+    {
+        const ulong order = dem_candidate_order(triangles, facets, candidates[c]).x;
+
+        if (c == candidate_start[i] ||
+            order != dem_candidate_order(triangles, facets, candidates[c - 1]).x)
+        {
+            dem_add_facet(l, wall_classes, dem_material(bits), (uint)(order >> 16), i, rows, list,
+                          n++);
+        }
+    }
+#endif
     return n;
 }
 
@@ -246,7 +295,10 @@ kernel void lists_count(constant struct dem_device_lists *l, global const double
                         global const uint *restrict first, global const uint *restrict order,
                         global const int *classes, global const int *wall_classes,
                         global const struct dem_facet *restrict facets,
-                        global const struct dem_device_frame *restrict frames, global uint *entries,
+                        global const struct dem_device_frame *restrict frames,
+                        global const struct dem_device_triangle *restrict triangles,
+                        global const uint *restrict candidate_start,
+                        global const uint *restrict candidates, global uint *entries,
                         global uint *rows)
 {
     const uint i = get_global_id(0);
@@ -254,7 +306,8 @@ kernel void lists_count(constant struct dem_device_lists *l, global const double
     if (i < l->particles)
     {
         entries[i] = dem_find_partners(l, record, first, order, classes, i, rows, 0) +
-                     dem_find_facets(l, record, facets, frames, wall_classes, i, rows, 0);
+                     dem_find_facets(l, record, facets, frames, wall_classes, triangles,
+                                     candidate_start, candidates, i, rows, 0);
     }
 }
 
@@ -263,7 +316,10 @@ kernel void lists_find(constant struct dem_device_lists *l, global const double4
                        global const int *classes, global const int *wall_classes,
                        global const struct dem_facet *restrict facets,
                        global const struct dem_device_frame *restrict frames,
-                       global const uint *restrict start, global uint *list)
+                       global const struct dem_device_triangle *restrict triangles,
+                       global const uint *restrict candidate_start,
+                       global const uint *restrict candidates, global const uint *restrict start,
+                       global uint *list)
 {
     const uint i = get_global_id(0);
 
@@ -272,7 +328,8 @@ kernel void lists_find(constant struct dem_device_lists *l, global const double4
         global uint *const own = list + start[i];
         const uint n = dem_find_partners(l, record, first, order, classes, i, 0, own);
 
-        dem_find_facets(l, record, facets, frames, wall_classes, i, 0, own + n);
+        dem_find_facets(l, record, facets, frames, wall_classes, triangles, candidate_start,
+                        candidates, i, 0, own + n);
     }
 }
 
@@ -340,7 +397,10 @@ kernel void lists_history(constant struct dem_device_lists *l,
                           global const uint *restrict old_image,
                           global const uchar *restrict old_touch,
                           global const double *restrict old_history,
-                          global uchar *restrict touch, global double *restrict history)
+                          global uchar *restrict touch, global double *restrict history,
+                          global const struct dem_facet *restrict facets,
+                          global const struct dem_device_images *restrict images,
+                          global const uint4 *restrict near)
 {
     const uint i = get_global_id(0);
 
@@ -355,8 +415,10 @@ kernel void lists_history(constant struct dem_device_lists *l,
         {
             continue;
         }
-        const uint image = wall ? 0 : dem_image_of_pair((int)code, dem_image(dem_bits(record, i)),
-                                                        dem_image(dem_bits(record, j)));
+        const ulong bits = dem_bits(record, i);
+        const uint image =
+            wall ? dem_image_of_row(bits, j, facets, images, near, row - l->walls)
+                 : dem_image_of_pair((int)code, dem_image(bits), dem_image(dem_bits(record, j)));
 
         for (uint o = old_start[i]; o < old_start[i + 1] && was == UINT_MAX; o++)
         {
@@ -364,7 +426,7 @@ kernel void lists_history(constant struct dem_device_lists *l,
             const uint other = old_partners[r].y & ((1u << SHIFT_BITS) - 1);
 
             was = !(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == j &&
-                          (wall || old_image[r] == image)
+                          old_image[r] == image
                       ? r
                       : UINT_MAX;
         }

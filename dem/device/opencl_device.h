@@ -82,4 +82,13 @@ int dem_opencl_write(struct dem_opencl *, const struct dem_opencl_memory *, size
 int dem_opencl_read(struct dem_opencl *, const struct dem_opencl_memory *, size_t offset,
                     size_t bytes, void *to);
 
+/* Memory for these bytes, and the bytes. */
+static inline int dem_opencl_put(struct dem_opencl *cl, struct dem_opencl_memory *m, size_t bytes,
+                                 const void *from)
+{
+    const int status = dem_opencl_reserve(cl, m, bytes);
+
+    return status ? status : dem_opencl_write(cl, m, 0, bytes, from);
+}
+
 #endif

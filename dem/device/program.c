@@ -11,8 +11,10 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "device/device_columns.h"
+#include "device/program_scalars.h"
 #include "device/texts.h"
 #include "laws/effects.h"
+#include "walls/spring_kinds.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,7 +29,9 @@ struct composer
     struct dem_text *out;
     const struct dem_device_text *included[TEXTS];
     int n;
+    const struct dem_walls *walls;
     int viscosity;                /* 1: particles have the viscosity of the fluid around them */
+    int scalars;                  /* particle scalars in lists of laws */
 };
 
 /* ---- texts ------------------------------------------------------------------------------------- */
@@ -155,9 +159,7 @@ static const struct dem_device_text *law_text(const struct dem_effect *e)
 
 const char *dem_device_effect_refusal(const struct dem_effect *e)
 {
-    return !law_text(e) || e->eddies ? "has no text for devices"
-           : e->scalars              ? "exchanges a particle scalar"
-                                     : NULL;
+    return !law_text(e) || e->eddies ? "has no text for devices" : NULL;
 }
 
 /* The settings of an effect: settings_<class>_<k>, a constant of the program. */
@@ -198,11 +200,13 @@ static void add_settings(struct composer *c, const char *class, int k,
                  k, law_name(e->effect), e->effect->size);
 }
 
-/* The call of a function of a law on the row. */
+/* The call of a function of a law on the row; history: of a contact, else "". */
 static void add_call(struct composer *c, const char *class, int k, const struct dem_effect_entry *e,
                      const char *function, const char *history)
 {
     const char *const law = law_name(e->effect);
+
+    dem_device_scalars_before(c->out, e, *history);
 
     if (e->effect->size > 0)
     {
@@ -217,6 +221,7 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
     {
         dem_text_add(c->out, "    dem_%s_%s(0, r%s);\n", law, function, history);
     }
+    dem_device_scalars_after(c->out, e, *history);
 }
 
 /* ---- contacts: as step/contact_effects.c applies the effects ----------------------------------- */
@@ -274,7 +279,8 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
     {
         add_settings(c, class, k, &list->entry[k]);
     }
-    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h)\n{\n", class);
+    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h%s)\n{\n", class,
+                 c->scalars ? ", struct dem_row_scalars *q" : "");
     for (int k = 0; k < list->entries; k++)
     {
         if (list->entry[k].effect->replace_contact)
@@ -300,8 +306,7 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
     dem_text_add(c->out, "}\n");
 }
 
-static int add_class(struct composer *c, const struct dem_interaction_table *table, int class,
-                     int surface)
+static int add_class(struct composer *c, const struct dem_interaction_table *table, int class)
 {
     const struct dem_effect_list *const list = &table->list[class];
     struct columns h;
@@ -322,11 +327,16 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
     DEM_TRY(include_name(c, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
                  "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
-                 "#define VISCOSITY %d\n", class,
+                 "#define VISCOSITY %d\n#define CLASS_SCALARS %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
-                 (list->needs & DEM_NEEDS_RANDOM) != 0, surface,
-                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY);
+                 (list->needs & DEM_NEEDS_RANDOM) != 0, !c->walls->all_flat_static,
+                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY, list->scalars > 0);
     return include_name(c, "device/rows.cl");
+}
+
+int dem_device_has_facets(const struct dem_walls *w)
+{
+    return w->triangles > 0 || w->facets > 1 || w->absorbing > 0;
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */
@@ -348,23 +358,53 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     {
         add_settings(c, "body", k, &list->entry[k]);
     }
-    dem_text_add(c->out, "static void body_laws(struct dem_body_row *r)\n{\n");
+    dem_text_add(c->out, "static void body_laws(struct dem_body_row *r%s)\n{\n",
+                 c->scalars ? ", struct dem_particle_scalars *q" : "");
     for (int k = 0; k < list->entries; k++)
     {
         add_call(c, "body", k, &list->entry[k], "row", "");
     }
-    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define MOMENTS %d\n"
-                 "#define PAST_TOUCHING %d\n", table->moments, table->past_touching);
+    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS %s\n#define MOMENTS %d\n"
+                 "#define PAST_TOUCHING %d\n", c->scalars ? "&r, &q" : "&r", table->moments,
+                 table->past_touching);
+    DEM_TRY(include_name(c, "device/loads.cl"));
     return include_name(c, "device/bodies.cl");
 }
 
+/* Contacts with several facets. */
+static int add_facets(struct composer *c, const struct dem_interaction_table *table)
+{
+    enum dem_spring_kind kind[DEM_HISTORY_COLUMNS];
+
+    dem_spring_kinds(table, kind);
+    dem_text_add(c->out, "#define FACETS %d\n#define TRIANGLES %d\n#define HISTORY %d\n"
+                 "#define CLASS_EXPONENTS", dem_device_has_facets(c->walls),
+                 c->walls->triangles > 0, table->history_columns);
+    for (int k = 0; k < table->classes; k++)
+    {
+        dem_text_add(c->out, "%s %a", k > 0 ? "," : "", table->list[k].pair.exponent);
+    }
+    dem_text_add(c->out, "\n#define SPRING_KINDS 0");
+    for (int m = 0; m < table->history_columns; m++)
+    {
+        dem_text_add(c->out, m > 0 ? ", %d" : " + %d", (int)kind[m]);
+    }
+    dem_text_add(c->out, "\n");
+    DEM_TRY(dem_device_has_facets(c->walls) ? include_name(c, "device/facets.cl") : DEM_OK);
+    return c->walls->triangles > 0 ? include_name(c, "device/triangles.cl") : DEM_OK;
+}
+
 static int compose(struct composer *c, const struct dem_interaction_table *table,
-                   const struct dem_particles *particles, int surface)
+                   const struct dem_particles *particles)
 {
     dem_text_add(c->out, "#define FLUID %d\n#define WHOLE_DRAG %d\n",
                  dem_device_columns_text(particles, c->out), table->bodies.whole_drag);
     c->viscosity = particles->batch.n > 0;
     DEM_TRY(include_name(c, "device/gather.cl"));
+    DEM_TRY(add_facets(c, table));
+    c->scalars = table->listed;
+    dem_device_scalars_text(c->out, table);
+    DEM_TRY(table->listed > 0 ? include_name(c, "device/scalars.cl") : DEM_OK);
     for (int k = 0; k < table->classes; k++)
     {
         DEM_TRY(include_laws(c, &table->list[k]));
@@ -372,7 +412,7 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(include_laws(c, &table->bodies));
     for (int k = 0; k < table->classes; k++)
     {
-        DEM_TRY(add_class(c, table, k, surface));
+        DEM_TRY(add_class(c, table, k));
     }
     DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? include_name(c, "device/fluid.cl")
                                                              : DEM_OK);
@@ -382,10 +422,11 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
 }
 
 int dem_device_program(const struct dem_interaction_table *table,
-                       const struct dem_particles *particles, int surface, struct dem_text *text)
+                       const struct dem_particles *particles, const struct dem_walls *walls,
+                       struct dem_text *text)
 {
-    struct composer c = {.out = text};
-    const int status = compose(&c, table, particles, surface);
+    struct composer c = {.out = text, .walls = walls};
+    const int status = compose(&c, table, particles);
 
     return status ? status : text->status;
 }

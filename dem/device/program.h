@@ -13,11 +13,15 @@
 #include "core/text.h"
 #include "laws/interaction_table.h"
 #include "particles/particles.h"
+#include "walls/walls.h"
 
-/* The particles give the columns of a fluid. `surface`: 1 when a wall is curved or moves. The caller
-   frees the text. */
-int dem_device_program(const struct dem_interaction_table *, const struct dem_particles *, int surface,
-                       struct dem_text *);
+/* The particles give the columns of a fluid; the walls, whether any is curved or moves, and whether
+   there are several facets. The caller frees the text. */
+int dem_device_program(const struct dem_interaction_table *, const struct dem_particles *,
+                       const struct dem_walls *, struct dem_text *);
+
+/* 1 when contacts with walls have a kernel of their own (facets.cl). */
+int dem_device_has_facets(const struct dem_walls *);
 
 /* Why an effect cannot be in a program, as the end of a sentence, or NULL. */
 const char *dem_device_effect_refusal(const struct dem_effect *);

@@ -5,8 +5,8 @@
  */
 #include "device/device_steps.h"
 #include "device/program.h"
+#include "device/shared.h"
 #include "records/energy_balance.h"
-#include "records/wall_statistics.h"
 #include <stdio.h>
 
 static int refuse_effects(const struct dem_effect_list *list, char *why, size_t size)
@@ -38,9 +38,9 @@ static int refuse_laws(const struct dem_interaction_table *t, char *why, size_t 
 
 static const char *wall_reason(const struct dem_wall *w)
 {
-    return w->shape == DEM_SHAPE_TRIANGLES ? "is made of triangles"
-           : w->absorbs                    ? "absorbs particles"
-                                           : NULL;
+    return w->follows_mesh                       ? "follows a mesh"
+           : w->triangles > DEM_DEVICE_TRIANGLES ? "has more than 8 million triangles"
+                                                 : NULL;
 }
 
 static int refuse_walls(const struct dem_walls *walls, char *why, size_t size)
@@ -64,14 +64,10 @@ static const char *run_reason(const struct dem_state *state)
 {
     const struct dem_particles *const p = &state->particles;
 
-    return dem_column(p, DEM_COLUMN_OWN_WAKE) || dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1
-               ? "the fluid around particles has wakes or eddies"
+    return dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1 ? "the fluid around particles has eddies"
            : state->interaction_table.parcels.used ? "particles are parcels"
-           : state->interaction_table.listed > 0   ? "particles have scalars"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
-           : dem_column(p, DEM_COLUMN_ORIENTATION) ? "orientations are asked for (write/orientation)"
            : state->applied_forces.n > 0           ? "there are forces on chosen particles (forces)"
-           : state->wall_statistics->sum           ? "loads on walls are asked for (write/walls)"
                                                    : NULL;
 }
 

@@ -4,9 +4,9 @@
  *
  *   KERNEL, LAWS     name of the kernel; of the function that applies the laws to a row
  *   COLUMNS          history columns of the laws, whose places are in COLUMN_OF
- *   WITH_WALL, PAST_TOUCHING, RANDOM, VISCOSITY    1 or 0, as the host's effect list
- *   MOMENTS, ENERGY, SURFACE    1 or 0, of all classes: there are moments; energies; walls that are
- *                               curved or move
+ *   WITH_WALL, PAST_TOUCHING, RANDOM, VISCOSITY, CLASS_SCALARS    1 or 0, as the host's effect list
+ *   MOMENTS, ENERGY, SURFACE, FACETS    1 or 0, of all classes: there are moments; energies; walls that
+ *                               are curved or move; contacts of facets.cl
  *
  * The arithmetic is the host's (step/fill_batch.c, step/store_forces.c): the same operations in the
  * same order. A row that does not touch leaves no force; touch[row] says so to the sums, and that the
@@ -23,7 +23,10 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
             global double4 *restrict moment, global double4 *restrict energy,
             global const struct dem_device_frame *restrict frames,
             global const double *restrict columns,
-            global const struct dem_wall_drive *restrict drives)
+            global const struct dem_wall_drive *restrict drives,
+            global const double4 *restrict contacts,
+            global const struct dem_device_condition *restrict conditions,
+            global double *restrict rates)
 {
     const uint k = get_global_id(0), row = first + k;
     double h[COLUMNS + 1];
@@ -38,10 +41,11 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 
     dem_row_begin(b, s, &r);
 #if WITH_WALL
-    dem_row_of_wall(record + 4*(size_t)partners[row].x, facets + partners[row].y,
-                    frames + s*b->frames, drives, SURFACE, &g, &r);
+    dem_row_of_wall(record + 4*(size_t)partners[row].x,
+                    FACETS ? contacts + 2*(size_t)(row - b->walls) : 0, facets + partners[row].y,
+                    frames + s*b->frames, drives, RANDOM, SURFACE, &g, &r);
 #else
-    dem_row_of_pair(record, partners[row], shift, RANDOM, &g, &r);
+    dem_row_of_pair(record, partners[row], shift, RANDOM, CLASS_SCALARS, &g, &r);
 #endif
 #if VISCOSITY
     global const double *const viscosity = columns + (size_t)COLUMN_VISCOSITY*b->particles;
@@ -63,7 +67,27 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #endif
 #define LOAD_COLUMN(m, column) h[m] = was ? history[(size_t)(column)*b->stride + row] : 0.0;
     COLUMN_OF(LOAD_COLUMN)
+#if SCALARS
+    struct dem_row_scalars q;
+
+#if WITH_WALL
+    dem_row_scalars_begin(columns, b->particles, partners[row].x, 0,
+                          conditions + (size_t)(facets[partners[row].y].largest >> 2)*SCALARS, &r, &q);
+#else
+    dem_row_scalars_begin(columns, b->particles, partners[row].x,
+                          partners[row].y & ((1u << 27) - 1), 0, &r, &q);
+#endif
+    q.radius[0] = record[4*(size_t)partners[row].x].w;
+    q.radius[1] = WITH_WALL ? q.radius[0]
+                            : record[4*(size_t)(partners[row].y & ((1u << 27) - 1))].w;
+    LAWS(&r, h, &q);
+    if (RATES)
+    {
+        dem_row_scalars_end(rates, row, &q);
+    }
+#else
     LAWS(&r, h);
+#endif
     if (!was)
     {
         touch[row] = 1;
@@ -99,3 +123,4 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #undef RANDOM
 #undef SURFACE
 #undef VISCOSITY
+#undef CLASS_SCALARS

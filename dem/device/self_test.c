@@ -39,6 +39,8 @@ struct test
     double *in, *here, *there;          /* rows */
     struct dem_contact_batch *batch;
     double (*history)[DEM_BATCH_ROWS];
+    struct dem_scalar_rows scalars[DEM_EFFECT_SCALARS];
+    double scalar[5][DEM_BATCH_ROWS];   /* values, rates, radius */
     uint64_t draws;
 };
 
@@ -182,6 +184,28 @@ static void apply_laws(struct test *t)
     }
 }
 
+/* Each scalar of each law has the same values (test.cl). */
+static void give_scalars(struct test *t)
+{
+    for (int c = 0; c < DEM_BATCH_ROWS; c++)
+    {
+        const double radius = t->batch->min_radius[c], cube = radius*radius*radius;
+
+        t->scalar[0][c] = 0.01*cube;
+        t->scalar[1][c] = 0.02*cube;
+        t->scalar[2][c] = t->scalar[3][c] = 0.0;
+        t->scalar[4][c] = radius;
+    }
+    for (int m = 0; m < DEM_EFFECT_SCALARS; m++)
+    {
+        t->scalars[m] = (struct dem_scalar_rows){.i = t->scalar[0], .j = t->scalar[1],
+                                                 .rate_i = t->scalar[2], .rate_j = t->scalar[3],
+                                                 .radius_i = t->scalar[4],
+                                                 .radius_j = t->scalar[4]};
+    }
+    t->batch->scalars = t->scalars;
+}
+
 /* Rows of `in` through the laws, to `here`. */
 static void compute_here(struct test *t)
 {
@@ -205,6 +229,7 @@ static void compute_here(struct test *t)
                 t->history[m][c] = *from++;
             }
         }
+        give_scalars(t);
         apply_laws(t);
         for (int c = 0; c < DEM_BATCH_ROWS; c++)
         {

@@ -12,24 +12,66 @@ enum
 {
     DEM_DEVICE_GROUP = 64,      /* work items of a group */
     DEM_DEVICE_BATCH = 256,     /* steps between two looks of the host, at most */
-    DEM_DEVICE_IMAGES = 27      /* periodic shifts of a pair */
+    DEM_DEVICE_IMAGES = 27,     /* periodic shifts of a pair */
+    DEM_DEVICE_SUM = 72,        /* digits of an exact sum, and some */
+    DEM_DEVICE_WAKE = 10,       /* numbers of an own wake (DEM_OWN_WAKE_WIDTH) */
+    DEM_DEVICE_MATERIALS = 32,  /* as DEM_MATERIALS */
+    DEM_DEVICE_NEAR = 16,       /* facets that one particle touches, at most */
+    DEM_DEVICE_TRIANGLE_BITS = 23,    /* of a candidate; above them its image: three bits an axis */
+    DEM_DEVICE_TRIANGLES = 1 << DEM_DEVICE_TRIANGLE_BITS,
+    DEM_DEVICE_NO_IMAGE = 4 << 6 | 4 << 3 | 4
+};
+
+enum    /* columns of the exchange of a scalar, as enum dem_scalar_column */
+{
+    DEM_DEVICE_SOURCE, DEM_DEVICE_COEFFICIENT, DEM_DEVICE_TARGET, DEM_DEVICE_RECEIVED,
+    DEM_DEVICE_TIME, DEM_DEVICE_TARGET_TIME, DEM_DEVICE_DECAY, DEM_DEVICE_CARRIED_OVER = 9
 };
 
 enum dem_device_event           /* what the host has to handle; it repeats the steps then */
 {
     DEM_DEVICE_OVERLAP = 1,     /* above time/maxOverlap */
-    DEM_DEVICE_NOT_FINITE = 2,  /* a force */
+    DEM_DEVICE_NOT_FINITE = 2,  /* a force; or a scalar is out of its range */
     DEM_DEVICE_CROSSED = 4,     /* a wall with two sides */
     DEM_DEVICE_BROKE = 8,       /* a bond */
-    DEM_DEVICE_CORNER = 16      /* two facets share a contact or its springs */
+    DEM_DEVICE_FACETS = 16,     /* a particle touches too many facets */
+    DEM_DEVICE_ABSORBED = 32    /* one touches a wall that absorbs it */
 };
 
 /* a moving wall in a step. On the device the member `wall` of a facet is its frame, -1: at rest; and
-   `number` its wall where the surface slides in itself, else -1. */
+   `largest` its wall times four, with these bits */
+enum
+{
+    DEM_DEVICE_ABSORBS = 1,     /* it absorbs particles */
+    DEM_DEVICE_DRIVEN = 2       /* its surface slides in itself */
+};
+
 struct dem_device_frame
 {
     struct dem_pose pose;
     struct dem_wall_displacement displacement;
+};
+
+/* a triangle, in its wall's frame: -1 at rest; the rest as in struct dem_triangle */
+struct dem_device_triangle
+{
+    double corner[3][3];                    /* m */
+    int frame;
+    uint32_t facet, rim, place;
+};
+
+/* periodic images of the triangles of a frame; those of walls at rest come first */
+struct dem_device_images
+{
+    double period[3];                       /* m */
+    int turns[3], triangles;                /*    dem_walls_turns; 1: there are triangles */
+};
+
+/* what a wall gives to a particle scalar: struct dem_wall_scalar; never, where end is -infinity */
+struct dem_device_condition
+{
+    double value, flux, film, start, end;
+    int given;
 };
 
 /* rounding of the drift along each axis, and axes without motion (dem_domain) */
@@ -45,10 +87,14 @@ struct dem_device_lists
     double origin[3], over_edge[3];         /* m, 1/m  of the cells */
     double min[3], max[3], length[3], unit[3];    /* m  dem_domain */
     double gap;                             /* m  of pairs, at most */
-    int cells[3], periodic[3];
+    double grid_origin[3], grid_edge;       /* m  of the cells of triangles */
+    int cells[3], periodic[3], grid_cells[3];
+    int frames;                             /*    of walls */
+    uint32_t walls;                         /*    the first row of a wall */
     uint32_t particles, facets, materials, columns;
     uint32_t stride, old_stride, old_walls; /*    rows; rows before, the first one of a wall */
     int keep_all;                           /* 1: laws act past touching */
+    int keep_frozen;                        /* 1: frozen particles have contacts, for scalars */
 };
 
 /* what the device tells after a batch of steps */
@@ -68,7 +114,7 @@ struct dem_device_batch
     double dt, inverse_dt, max_dt;          /* s, 1/s, s */
     double window_start;                    /* s  step k of the window ends at start + k dt */
     double over_window;                     /* 1/s  of the window's length; 0 without */
-    int64_t first;                          /*    k of the first step of the batch */
+    int64_t first, first_of_all;            /*    k of the first step of the batch; of its advance */
     double max_overlap;                     /* 1  an overlap over the smaller radius ends the run */
     float overlap;                          /* 1  of the report, so far */
     float start;                            /* m  bound of the displacement now */

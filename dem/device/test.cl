@@ -35,7 +35,21 @@ void TEST(uint rows, uint numbers, global const double *in, global const double 
     {
         h[m] = *in++;
     }
+#if SCALARS
+    struct dem_row_scalars q;
+    const double cube = r.min_radius*r.min_radius*r.min_radius;
+
+    q.radius[0] = q.radius[1] = r.min_radius;
+    for (int k = 0; k < SCALARS; k++)
+    {
+        q.value[0][k] = 0.01*cube;
+        q.value[1][k] = 0.02*cube;
+        q.rate[0][k] = q.rate[1][k] = 0.0;
+    }
+    LAWS(&r, h, &q);
+#else
     LAWS(&r, h);
+#endif
     DEM_ROW_COLUMNS(DEM_TEST_PUT)
     for (int m = 0; m < COLUMNS; m++)
     {

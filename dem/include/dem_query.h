@@ -49,8 +49,7 @@ int dem_hash(struct dem *, uint64_t *hash);
 /* ---- device ---------------------------------------------------------------------------------- */
 
 /* What makes the steps, where the scene has an entry `device`: name, platform and driver of the device;
-   or a sentence why the CPU makes them all, with the same bits. "" without the entry. dem_wall_impulse
-   ends the use of a device. */
+   or a sentence why the CPU makes them all, with the same bits. "" without the entry. */
 const char *dem_device(const struct dem *);
 
 /* Steps that the device has made so far, in so many parts between which the state was copied; steps

@@ -128,14 +128,11 @@ struct dem_profile
     {
         const char *name;
         double mean, max;                     /* s  mean and largest over ranks */
-        double processor;                     /* s  processor time, mean over ranks: less than
-                                                 `mean` where a rank slept or others had the
-                                                 processor */
     } phase[DEM_PROFILE_PHASES];              /* the means add up to wall */
     double wall, outside;                     /* s  wall-clock time; part of it outside
                                                  dem_advance: means over ranks */
-    double processor;                         /* s  processor time of all ranks, whatever the
-                                                 process did */
+    double processor;                         /* s  processor time of all ranks: less than theirs
+                                                 in `wall` where others had the processor */
     double imbalance;                         /* 1  load imbalance: largest over mean working
                                                  time, without waiting */
     int64_t steps, rebuilds, prunes;

@@ -301,23 +301,13 @@ unsigned dem_interaction_table_needs(const struct dem_interaction_table *r)
     return needs;
 }
 
-static const double *number_of(const struct dem_interaction_table *r, const char *effect,
-                               const char *entry)
-{
-    const int index = index_of(r, effect);
-    const struct dem_setting *const field = index < 0 || !r->effect[index]->settings ? NULL
-                                        : dem_settings_find(r->effect[index]->settings, entry);
-
-    return field ? (const double *)(const void *)((const char *)r->settings[index] + field->offset)
-                 : NULL;
-}
-
 double dem_interaction_table_get_number(const struct dem_interaction_table *r, const char *effect,
                                         const char *entry)
 {
-    const double *const number = number_of(r, effect, entry);
+    const int index = index_of(r, effect);
 
-    return number ? *number : NAN;
+    return index < 0 ? NAN
+                     : dem_settings_number(r->effect[index]->settings, r->settings[index], entry);
 }
 
 const struct dem_effect *dem_interaction_table_gravity(const struct dem_interaction_table *r,

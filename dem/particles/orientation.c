@@ -19,6 +19,7 @@
  */
 #include "particles/orientation.h"
 #include "laws/effect.h"
+#include "particles/turn.h"
 #include <math.h>
 
 void dem_orientation_begin(struct dem_particles *p)
@@ -42,21 +43,7 @@ static void rotate(const struct dem_particle *restrict record, double *restrict 
 {
     for (size_t i = 0; i < n; i++)
     {
-        const double ux = half*record[i].w[0], uy = half*record[i].w[1],
-                     uz = half*record[i].w[2], s = ux*ux + uy*uy + uz*uz;
-        const double t =
-            1.0 + s*(1.0/3.0 +
-                       s*(2.0/15.0 +
-                            s*(17.0/315.0 + s*(62.0/2835.0 + s*(1382.0/155925.0)))));
-        const double bx = t*ux, by = t*uy, bz = t*uz;
-        double *const q = all + 4*i;
-        const double a = q[0] - bx*q[1] - by*q[2] - bz*q[3];
-        const double b = q[1] + bx*q[0] + by*q[3] - bz*q[2];
-        const double c = q[2] - bx*q[3] + by*q[0] + bz*q[1];
-        const double d = q[3] + bx*q[2] - by*q[1] + bz*q[0];
-        const double scale = 1.0/sqrt(a*a + b*b + c*c + d*d);
-
-        q[0] = scale*a, q[1] = scale*b, q[2] = scale*c, q[3] = scale*d;
+        dem_turn(record[i].w[0], record[i].w[1], record[i].w[2], half, all + 4*i);
     }
 }
 

@@ -12,6 +12,7 @@
 #ifndef DEM_RANKS_PARALLEL_FILE_H
 #define DEM_RANKS_PARALLEL_FILE_H
 
+#include "ranks/decomposition.h"
 #include <mpi.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -24,6 +25,12 @@ struct dem_file_ranks
     int rank;
     const char *comment;             /* comment in the header of VTK files; NULL: none */
 };
+
+/* All ranks of a decomposition. */
+static inline struct dem_file_ranks dem_file_ranks_of(const struct dem_decomposition *d)
+{
+    return (struct dem_file_ranks){.comm = d->ranks > 1 ? d->comm : MPI_COMM_NULL, .rank = d->rank};
+}
 
 /* Collective. n summed over the lower ranks and over all. `status`: a rank that has failed before takes part, and all ranks
    return an error. */

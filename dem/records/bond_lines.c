@@ -82,14 +82,13 @@ int dem_bonds_write_lines(struct dem_state *p, const char *says, const char *fol
                           const char *file, double time)
 {
     const struct dem_decomposition *const q = &p->decomposition;
-    const struct dem_file_ranks by = {.comm = q->ranks > 1 ? q->comm : MPI_COMM_NULL,
-                                      .rank = q->rank,
-                                      .comment = says};
+    struct dem_file_ranks by = dem_file_ranks_of(q);
     struct line *lines = NULL;
     char path[1200];
     int64_t n = 0;
     int status = DEM_OK;
 
+    by.comment = says;
     if (p->stale == 2 && p->steps > 0)
     {
         return DEM_OK;

@@ -17,10 +17,6 @@ int dem_energy_balance_open(struct dem_energy_balance *l, const struct dem_inter
 {
     DEM_TRY(DEM_NEW(l->sum, DEM_ENERGY_BALANCE_SUMS));
     DEM_TRY(DEM_NEW(l->scratch, 1));
-    for (int k = 0; k < DEM_ENERGY_BALANCE_SUMS; k++)
-    {
-        dem_sum_clear(&l->sum[k]);
-    }
     for (int k = 0; k < r->chosen; k++)
     {
         l->scratch->effect[k] = r->effect[k];

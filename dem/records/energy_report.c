@@ -22,10 +22,8 @@ static void add_term(struct dem_energy_balance *l, const char *kind, const char 
 /* Kinetic energies of translation and rotation [J]; the same on all ranks. */
 static void kinetic_energies(const struct dem_state *p, double value[2])
 {
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];

@@ -21,14 +21,10 @@ enum
 static void count_particles(const struct dem_state *p, int material,
                             struct dem_material_inventory *s)
 {
-    struct dem_sum sum[SUMS];
+    struct dem_sum sum[SUMS] = {0};
     double value[SUMS], range[2] = {INFINITY, 0.0};
     int64_t count[2] = {0, 0};
 
-    for (int k = 0; k < SUMS; k++)
-    {
-        dem_sum_clear(&sum[k]);
-    }
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
@@ -71,11 +67,9 @@ static void count_grains(const struct dem_state *p, int material, struct dem_mat
 {
     const double *const ratio =
         dem_scalar_values(&p->particles, p->interaction_table.parcels.scalar);
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
     double value[2];
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
@@ -113,11 +107,9 @@ static void mean_fluid(const struct dem_state *p, struct dem_inventory *s)
     const double *const rho = dem_column(&p->particles, DEM_COLUMN_FLUID_DENSITY);
     const double *const mu = dem_scalar_values_of(
         &p->particles, &p->interaction_table, dem_fluid_viscosity.name);
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
     double value[2];
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; rho && mu && i < p->particles.n; i++)
     {
         dem_sum_add(&sum[0], rho[i]);

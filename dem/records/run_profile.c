@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "records/run_profile.h"
+#include "core/clock.h"
 #include "records/totals.h"
 #include "records/inventory.h"
 #include "records/timers.h"
@@ -13,18 +14,18 @@
 enum
 {
     WORK = DEM_PHASES,    /* s: advancing, without waiting for other ranks */
-    PROCESSOR,            /* s: processor time of each phase */
-    SECONDS = PROCESSOR + DEM_PHASES
+    PROCESSOR,            /* s: processor time */
+    SECONDS
 };
 
 _Static_assert((int)DEM_PHASES == (int)DEM_PROFILE_PHASES, "dem.h reports all phases");
 
-/* Mean and largest time over the ranks, of each phase, of work and of the processor in each phase. */
+/* Mean and largest time over the ranks, of each phase, of work and of the processor. */
 static void gather_times(const struct dem_state *p, double mean[SECONDS], double max[SECONDS])
 {
     dem_timers_end_outside(p->timers);
     dem_timers_seconds(p->timers, mean);
-    dem_timers_processor_seconds(p->timers, mean + PROCESSOR);
+    mean[PROCESSOR] = dem_clock_processor() - p->timers->first_processor;
     mean[WORK] = 0.0;
     for (int k = 0; k < DEM_PHASE_OUTSIDE; k++)
     {
@@ -78,16 +79,15 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
                               .inner_skin = 2.0*p->pairs.half_inner,
                               .diameter = 2.0*p->pairs.max_radius,
                               .bytes = inventory.bytes,
-                              .agreements = p->agreements - p->timers->agreements,
+                              .processor = mean[PROCESSOR]*p->decomposition.ranks,
+                             .agreements = p->agreements - p->timers->agreements,
                               .cuts = p->load_balance.cuts};
     for (int k = 0; k < DEM_PHASES; k++)
     {
         f->phase[k].name = dem_phase_name((enum dem_phase)k);
         f->phase[k].mean = mean[k];
         f->phase[k].max = max[k];
-        f->phase[k].processor = mean[PROCESSOR + k];
         f->wall += mean[k];
-        f->processor += mean[PROCESSOR + k]*p->decomposition.ranks;
     }
     gather_counts(p, f);
     f->largest_overlap = fmax(p->limits.max_overlap, p->limits.overlap);

@@ -364,15 +364,11 @@ int dem_snapshot_read_contacts(const char *path, const struct dem_decomposition 
                                const struct dem_interaction_table *r, const struct dem_particles *p,
                                const struct dem_snapshot_facets *facets, struct dem_contacts *c)
 {
+    const struct dem_file_ranks by = dem_file_ranks_of(q);
     struct dem_parallel_file store;
     struct dem_snapshot_header h;
 
-    DEM_TRY(dem_snapshot_open(&store,
-                              &(const struct dem_file_ranks){
-                                  .comm = q->ranks > 1 ? q->comm
-                                                       : MPI_COMM_NULL,
-                                  .rank = q->rank},
-                              path, &h));
+    DEM_TRY(dem_snapshot_open(&store, &by, path, &h));
     struct bundle b = {.size = dem_snapshot_contact_doubles(&h)};
 
     read_slice(&store, q, &h, &b);

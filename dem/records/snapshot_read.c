@@ -161,17 +161,13 @@ static int load_particle(struct dem_particles *p, const struct dem_snapshot_head
 static int read_slice(const char *path, const struct dem_decomposition *q,
                       struct dem_snapshot_header *h, double **packed, int64_t *count)
 {
+    const struct dem_file_ranks by = dem_file_ranks_of(q);
     struct dem_parallel_file store;
     int64_t first;
 
     *packed = NULL;
     *count = 0;
-    DEM_TRY(dem_snapshot_open(&store,
-                              &(const struct dem_file_ranks){
-                                  .comm = q->ranks > 1 ? q->comm
-                                                       : MPI_COMM_NULL,
-                                  .rank = q->rank},
-                              path, h));
+    DEM_TRY(dem_snapshot_open(&store, &by, path, h));
     dem_snapshot_slice(q, h->particles, &first, count);
     const size_t size = dem_snapshot_particle_doubles(h), n = (size_t)*count;
 

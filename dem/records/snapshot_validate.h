@@ -13,13 +13,13 @@
 int dem_snapshot_validate_header(const char *path, const struct dem_snapshot_header *);
 
 /* Check one packed particle: valid id, finite numbers, physical position and speed, inertia
-   that matches its mass. DEM_ERROR_FILE with the particle's id, the value and the limit. Not
+   that matches its mass. DEM_ERROR_FILE with the particle's id and the value. Not
    collective. */
 int dem_snapshot_validate_particle(const char *path, const struct dem_snapshot_header *,
                                    const double *packed);
 
-/* Check that the history of one packed contact is finite. DEM_ERROR_FILE with the ids of the
-   partners. Not collective. */
+/* Check that the history of one packed contact is finite. DEM_ERROR_FILE with the id of a
+   partner. Not collective. */
 int dem_snapshot_validate_contact(const char *path, const struct dem_snapshot_header *,
                                   const double *packed);
 

@@ -209,6 +209,7 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *s,
                        const struct dem_particles *p, const struct dem_contacts *c,
                        const struct dem_facet_key *wall_facet)
 {
+    const struct dem_file_ranks by = dem_file_ranks_of(q);
     struct dem_parallel_file store;
     struct dem_snapshot_header h;
     uint32_t *list = NULL;
@@ -239,13 +240,7 @@ int dem_snapshot_write(const char *path, const struct dem_snapshot *s,
                                .wall_facet = wall_facet,
                                .row = list};
 
-    status = dem_parallel_file_create(&store,
-                                      &(const struct dem_file_ranks){
-                                          .comm = q->ranks > 1
-                                                      ? q->comm
-                                                      : MPI_COMM_NULL,
-                                          .rank = q->rank},
-                                      path, 1);
+    status = dem_parallel_file_create(&store, &by, path, 1);
     if (!status)
     {
         write_items(&store, &particles, sizeof h + (size_t)before[0]*size*sizeof(double),

@@ -9,11 +9,6 @@
  * always timed. The sum of all phases is thus the time that has passed. Nothing in the run depends
  * on the timers.
  *
- * The processor clock takes 0.2 to 1.5 us a reading, so fewer steps are measured with it: every one
- * on a rank of 200000 particles or more, every second one at half of that. It is also read at the
- * ends of advances and of rare phases, of small ones in one of several. The rest is distributed.
- * The sum of all phases is the processor time that the process has taken.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_RECORDS_TIMERS_H
@@ -48,16 +43,10 @@ struct dem_timers
     double spent[DEM_PHASES], untimed;   /* s; unseen: in steps that were not timed */
     double last;                        /* s: last reading of the clock */
 
-    /* processor time: measured by phase, the seconds in which that was so, and the rest */
-    double processor[DEM_PHASES], clock[DEM_PHASES], unmeasured;  /* s */
-    double last_processor;              /* s: last reading of the processor clock */
-    int exact;                          /* 1: it was read with the last reading of the clock */
-
-    int timed, measured;                /* 1: this step is timed; and its processor time */
-    int advance_measured, rare_measured;  /* 1: at the ends of this advance, of this rare phase */
-    int64_t every, measure_every, rare_every;  /* one step in so many is timed, is measured; one
-                                                  rare phase in so many is measured */
-    int64_t steps, advances, rare;      /* since the beginning */
+    double first_processor;             /* s: processor clock at the beginning */
+    int timed;                          /* 1: this step is timed */
+    int64_t every;                      /* one step in so many is timed */
+    int64_t steps;                      /* since the beginning */
     int64_t particle_steps, row_steps;  /* owned particles and contact rows, summed over steps */
     int64_t agreements;                 /* all-reduces before the beginning */
     int64_t rebuilds, prunes;           /* made before the beginning */
@@ -66,8 +55,8 @@ struct dem_timers
 /* Start all timers at zero. `rebuilds`, `prunes`, `agreements`: number made so far. */
 void dem_timers_begin(struct dem_timers *, int64_t rebuilds, int64_t prunes, int64_t agreements);
 
-/* An advance of `particles` owned particles by so many steps begins; it ends. */
-void dem_timers_begin_advance(struct dem_timers *, size_t particles, int64_t steps);
+/* An advance of `particles` owned particles begins; it ends. */
+void dem_timers_begin_advance(struct dem_timers *, size_t particles);
 void dem_timers_end_advance(struct dem_timers *);
 
 /* A step begins; its time up to the next end of a phase belongs to that phase. */
@@ -83,10 +72,8 @@ void dem_timers_end_rare_phase(struct dem_timers *, enum dem_phase);
 /* Add the time up to now to that outside. */
 void dem_timers_end_outside(struct dem_timers *);
 
-/* Seconds in each phase, and seconds of processor time, with the time that was not measured by phase
-   distributed. */
+/* Seconds in each phase, with the time of steps that were not timed distributed. */
 void dem_timers_seconds(const struct dem_timers *, double spent[DEM_PHASES]);
-void dem_timers_processor_seconds(const struct dem_timers *, double processor[DEM_PHASES]);
 
 const char *dem_phase_name(enum dem_phase);
 

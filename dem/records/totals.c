@@ -46,10 +46,9 @@ static double kinetic(const struct dem_particle *r)
 double dem_totals_scalar(const struct dem_state *p, int k)
 {
     const double *const value = dem_scalar_values(&p->particles, k);
-    struct dem_sum sum;
+    struct dem_sum sum = {0};
     double total;
 
-    dem_sum_clear(&sum);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
@@ -110,13 +109,9 @@ int64_t dem_totals_touching(const struct dem_state *p)
 static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
 {
     const struct dem_contacts *const c = &p->contacts;
-    struct dem_sum sum[4];
+    struct dem_sum sum[4] = {0};
     double value[4];
 
-    for (int k = 0; k < 4; k++)
-    {
-        dem_sum_clear(&sum[k]);
-    }
     for (uint32_t r = 0; r < c->rows.n; r++)
     {
         if (c->rows.pair[r] != DEM_ROW_NONE && dem_contacts_pair(c, r)->i < p->particles.n)
@@ -139,14 +134,10 @@ static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
 
 void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 {
-    struct dem_sum sum[SUMS];
+    struct dem_sum sum[SUMS] = {0};
     double value[SUMS], g[3];
     int64_t count[2] = {(int64_t)p->particles.n, dem_totals_touching(p)};
 
-    for (int k = 0; k < SUMS; k++)
-    {
-        dem_sum_clear(&sum[k]);
-    }
     for (size_t i = 0; i < p->particles.n; i++)
     {
         add_particle(sum, &p->particles.record[i]);
@@ -359,11 +350,9 @@ int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *p
 
 double dem_totals_sauter_diameter(const struct dem_state *p)
 {
-    struct dem_sum sum[2];
+    struct dem_sum sum[2] = {0};
     double value[2];
 
-    dem_sum_clear(&sum[0]);
-    dem_sum_clear(&sum[1]);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const double d = 2.0*p->particles.record[i].radius;
@@ -377,14 +366,12 @@ double dem_totals_sauter_diameter(const struct dem_state *p)
 
 int dem_totals_any_driven(const struct dem_state *p)
 {
-    struct dem_sum sum;
-    double count;
+    int64_t count = 0;
 
-    dem_sum_clear(&sum);
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        dem_sum_add(&sum, p->particles.record[i].flags & DEM_PARTICLE_DRIVEN ? 1.0 : 0.0);
+        count += (p->particles.record[i].flags & DEM_PARTICLE_DRIVEN) != 0;
     }
-    dem_totals_reduce_sums(p, &sum, 1, &count);
-    return count > 0.0;
+    dem_collect_sum_int64(&p->decomposition, &count, 1);
+    return count > 0;
 }

@@ -10,13 +10,11 @@
  */
 #include "records/vtk.h"
 
-#include "core/error.h"
 #include "core/memory.h"
+#include "core/text.h"
 
 #include <fenv.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 
 enum
@@ -28,89 +26,20 @@ enum
 static const struct
 {
     const char *name;
-    size_t size;          /* in the file   [byte] */
-    size_t in_memory;     /* of one number [byte] */
+    size_t size;    /* in the file [byte] */
 } types[] = {
-    [DEM_VTK_DOUBLE] = {"Float64", 8, 8},
-    [DEM_VTK_FLOAT32] = {"Float32", 4, 8},
-    [DEM_VTK_INT64] = {"Int64", 8, 8},
-    [DEM_VTK_INT32] = {"Int32", 4, 4},
+    [DEM_VTK_DOUBLE] = {"Float64", 8},
+    [DEM_VTK_FLOAT32] = {"Float32", 4},
+    [DEM_VTK_INT64] = {"Int64", 8},
 };
-
-static int check_column(const struct dem_vtk_column *c, int64_t n, const char *path)
-{
-    const bool known = c->type == DEM_VTK_DOUBLE || c->type == DEM_VTK_FLOAT32 ||
-                       c->type == DEM_VTK_INT64 || c->type == DEM_VTK_INT32;
-
-    DEM_REQUIRE(c->name && *c->name && !strpbrk(c->name, "<>&\"\n"), DEM_ERROR_INPUT,
-                "%s: \"%s\" cannot name a column; use a word without < > & \"", path,
-                c->name ? c->name : "");
-    DEM_REQUIRE(known, DEM_ERROR_STATE, "%s: column %s has an unknown type %d", path, c->name,
-                (int)c->type);
-    DEM_REQUIRE(c->components >= 1 && c->components <= MAX_COMPONENTS, DEM_ERROR_STATE,
-                "%s: column %s has %d components; give 1 to %d", path, c->name, c->components,
-                MAX_COMPONENTS);
-    DEM_REQUIRE(n == 0 ||
-                    (c->data && c->stride >= types[c->type].in_memory*(size_t)c->components),
-                DEM_ERROR_STATE,
-                "%s: column %s has no data or a stride of %zu bytes, too small for %d numbers",
-                path, c->name, c->stride, c->components);
-    return DEM_OK;
-}
-
-static int check(const char *path, int64_t n, const struct dem_vtk_column *columns, int count,
-                 int ends)
-{
-    DEM_REQUIRE(n >= 0 && n < INT64_MAX/(8*MAX_COMPONENTS), DEM_ERROR_STATE,
-                "%s: cannot hold %lld particles", path, (long long)n);
-    DEM_REQUIRE(count >= 1 && columns[0].components == 3*ends &&
-                    (columns[0].type == DEM_VTK_DOUBLE || columns[0].type == DEM_VTK_FLOAT32),
-                DEM_ERROR_STATE, "%s: the first column must be positions, %s doubles each", path,
-                ends == 1 ? "three" : "six");
-    for (int i = 0; i < count; i++)
-    {
-        DEM_TRY(check_column(&columns[i], n, path));
-        for (int k = 0; k < i; k++)
-        {
-            DEM_REQUIRE(strcmp(columns[k].name, columns[i].name) != 0, DEM_ERROR_INPUT,
-                        "%s: two columns are named %s; rename one", path, columns[i].name);
-        }
-    }
-    return DEM_OK;
-}
 
 /* ---- header ---------------------------------------------------------------------------------- */
 
-struct text
-{
-    char *at;
-    size_t length, capacity;
-    int status;
-};
-
-/* printf to the end of the text; the first failure is stored in its status. */
-static void append(struct text *t, const char *format, ...)
-{
-    va_list list;
-
-    va_start(list, format);
-    const int more = vsnprintf(NULL, 0, format, list);
-
-    va_end(list);
-    t->status = t->status ? t->status : DEM_GROW(t->at, t->capacity, t->length + (size_t)more + 1);
-    if (!t->status)
-    {
-        va_start(list, format);
-        t->length += (size_t)vsnprintf(t->at + t->length, (size_t)more + 1, format, list);
-        va_end(list);
-    }
-}
-
 /* One <DataArray>; advances the offset by the array's length field and values. */
-static void declare_array(struct text *t, const char *name, const char *type, int components,
+static void declare_array(struct dem_text *t, const char *name, const char *type, int components,
                           uint64_t bytes, uint64_t *offset)
 {
-    append(
+    dem_text_add(
         t,
         "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" offset=\"%llu\"/>\n",
         type, name, components, (unsigned long long)*offset);
@@ -122,43 +51,47 @@ static uint64_t bytes_of(const struct dem_vtk_column *c, int64_t n)
     return (uint64_t)n*(uint64_t)c->components*types[c->type].size;
 }
 
-/* `ends` of a cell: 1 for points; 2 for lines, whose ends are the points and whose columns
-   belong to the cells. */
-static void write_header(struct text *t, const char *comment, int64_t n,
-                         const struct dem_vtk_column *columns, int count, int ends)
+/* `corners` of a cell: 1 for points; 2 for lines, 3 for triangles, whose columns belong to the
+   cells. */
+static void write_header(struct dem_text *t, const char *comment, int64_t n,
+                         const struct dem_vtk_column *columns, int count, int corners)
 {
-    const char *const data = ends == 1 ? "PointData" : "CellData";
-    const char *const cells = ends == 1 ? "Verts" : "Lines";
+    static const char *const kinds[] = {"Verts", "Lines", "Polys"};
+    const char *const data = corners == 1 ? "PointData" : "CellData", *const cells = kinds[corners - 1];
     const uint16_t one = 1;
     const bool little = *(const unsigned char *)&one == 1;
+    const long long points = (long long)n*corners;
     uint64_t offset = 0;
 
-    append(t, "<?xml version=\"1.0\"?>\n");
+    dem_text_add(t, "<?xml version=\"1.0\"?>\n");
     if (comment)
     {
-        append(t, "<!-- %s -->\n", comment);
+        dem_text_add(t, "<!-- %s -->\n", comment);
     }
-    append(t,
-           "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n",
-           little ? "LittleEndian" : "BigEndian");
-    append(
-        t,
-        "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" NumberOfLines=\"%lld\" "
-        "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-        (long long)n*ends, ends == 1 ? (long long)n : 0, ends == 1 ? 0 : (long long)n);
+    dem_text_add(t,
+                 "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"%s\" header_type=\"UInt64\">\n"
+                 "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"%lld\" "
+                 "NumberOfLines=\"%lld\" NumberOfStrips=\"0\" NumberOfPolys=\"%lld\">\n",
+                 little ? "LittleEndian" : "BigEndian", points, corners == 1 ? (long long)n : 0,
+                 corners == 2 ? (long long)n : 0, corners == 3 ? (long long)n : 0);
     for (int i = 0; i < count; i++)
     {
-        append(t, i == 0 ? "      <Points>\n" : i == 1 ? "      <%s>\n" : "", data);
+        if (i < 2)
+        {
+            dem_text_add(t, "      <%s>\n", i == 0 ? "Points" : data);
+        }
         declare_array(t, columns[i].name, types[columns[i].type].name,
                       i == 0 ? 3 : columns[i].components, bytes_of(&columns[i], n), &offset);
-        append(t, i == 0 ? "      </Points>\n" : i == count - 1 ? "      </%s>\n" : "", data);
+        if (i == 0 || i == count - 1)
+        {
+            dem_text_add(t, "      </%s>\n", i == 0 ? "Points" : data);
+        }
     }
-    append(t, "      <%s>\n", cells);
-    declare_array(t, "connectivity", "Int64", 1, (uint64_t)n*(uint64_t)ends*sizeof(int64_t),
-                  &offset);
+    dem_text_add(t, "      <%s>\n", cells);
+    declare_array(t, "connectivity", "Int64", 1, (uint64_t)points*sizeof(int64_t), &offset);
     declare_array(t, "offsets", "Int64", 1, (uint64_t)n*sizeof(int64_t), &offset);
-    append(t, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_",
-           cells);
+    dem_text_add(t, "      </%s>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_",
+                 cells);
 }
 
 /* ---- arrays ---------------------------------------------------------------------------------- */
@@ -262,41 +195,40 @@ static void write_tail(struct vtp_file *p)
     }
 }
 
-static void write_body(struct vtp_file *p, const struct text *head,
-                       const struct dem_vtk_column *columns, int count, int ends)
+static void write_body(struct vtp_file *p, const struct dem_text *head,
+                       const struct dem_vtk_column *columns, int count, int corners)
 {
-    const struct counts points = {p->before*ends, 1}, cells = {(p->before + 1)*ends, ends};
+    const struct counts points = {p->before*corners, 1}, cells = {(p->before + 1)*corners, corners};
 
-    p->at = head->length;
+    p->at = head->n;
     if (p->store.by.rank == 0)
     {
-        dem_parallel_file_write(&p->store, 0, head->at, head->length);
+        dem_parallel_file_write(&p->store, 0, head->text, head->n);
     }
     for (int i = 0; i < count; i++)
     {
         write_array(p, pack_column, &columns[i], 1, bytes_of(&columns[i], 1));
     }
-    write_array(p, pack_counts, &points, ends, sizeof(int64_t));
+    write_array(p, pack_counts, &points, corners, sizeof(int64_t));
     write_array(p, pack_counts, &cells, 1, sizeof(int64_t));
     write_tail(p);
 }
 
 static int write_cells(const struct dem_file_ranks *by, const char *path, int64_t n,
-                       const struct dem_vtk_column *columns, int count, int ends)
+                       const struct dem_vtk_column *columns, int count, int corners)
 {
     const struct dem_file_ranks alone = {.comm = MPI_COMM_NULL};
-    struct text head = {.at = NULL};
+    struct dem_text head = {.text = NULL};
     struct vtp_file p = {.n = n};
     fenv_t traps;
 
     by = by ? by : &alone;
-    int status = check(path, n, columns, count, ends);
+    int status = DEM_NEW(p.block, BLOCK);
 
-    status = status ? status : DEM_NEW(p.block, BLOCK);
     status = dem_file_ranks_count(by, status, n, &p.before, &p.all);
     if (!status)
     {
-        write_header(&head, by->comment, p.all, columns, count, ends);
+        write_header(&head, by->comment, p.all, columns, count, corners);
         status = dem_parallel_file_create(&p.store, by, path, 0);
     }
     if (!status)
@@ -304,11 +236,11 @@ static int write_cells(const struct dem_file_ranks *by, const char *path, int64_
         p.store.status = head.status;
         /* a double beyond the range of Float32 is written as infinite, also when traps are on */
         feholdexcept(&traps);
-        write_body(&p, &head, columns, count, ends);
+        write_body(&p, &head, columns, count, corners);
         fesetenv(&traps);
         status = dem_parallel_file_close(&p.store);
     }
-    dem_memory_free(head.at);
+    dem_text_free(&head);
     dem_memory_free(p.block);
     return status;
 }
@@ -323,4 +255,14 @@ int dem_vtk_write_lines(const struct dem_file_ranks *by, const char *path, int64
                         const struct dem_vtk_column *columns, int count)
 {
     return write_cells(by, path, n, columns, count, 2);
+}
+
+int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall)
+{
+    const struct dem_vtk_column columns[] = {
+        {"points", corners, 9*sizeof *corners, DEM_VTK_DOUBLE, 9},
+        {"wall", wall, sizeof *wall, DEM_VTK_INT64, 1},
+    };
+
+    return write_cells(NULL, path, n, columns, 2, 3);
 }

@@ -33,8 +33,7 @@ enum dem_vtk_type
 {
     DEM_VTK_DOUBLE,    /* double, written as Float64                                   */
     DEM_VTK_FLOAT32,    /* double, written as Float32: half the bytes, seven digits     */
-    DEM_VTK_INT64,
-    DEM_VTK_INT32
+    DEM_VTK_INT64
 };
 
 struct dem_vtk_column

@@ -24,54 +24,9 @@ struct span
     const char *at, *end;
 };
 
-static void put_escaped(FILE *f, const char *text)
+static bool is_text(struct span s, const char *text)
 {
-    for (; *text; text++)
-    {
-        const char *const as = *text == '&' ? "&amp;"
-                               : *text == '<' ? "&lt;"
-                               : *text == '>' ? "&gt;"
-                               : *text == '"' ? "&quot;"
-                                              : NULL;
-
-        if (as)
-        {
-            fputs(as, f);
-        }
-        else
-        {
-            fputc(*text, f);
-        }
-    }
-}
-
-/* Does the escaped text stand for this text? */
-static bool is_escaped(struct span escaped, const char *text)
-{
-    static const char *const codes[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
-    static const char signs[] = "&<>\"";
-
-    while (escaped.at < escaped.end && *text)
-    {
-        char c = *escaped.at;
-        size_t n = 1;
-
-        for (int i = 0; i < 4; i++)
-        {
-            if (strncmp(escaped.at, codes[i], strlen(codes[i])) == 0)
-            {
-                c = signs[i];
-                n = strlen(codes[i]);
-            }
-        }
-        if (c != *text)
-        {
-            return false;
-        }
-        escaped.at += n;
-        text++;
-    }
-    return escaped.at >= escaped.end && !*text;
+    return strlen(text) == (size_t)(s.end - s.at) && memcmp(text, s.at, strlen(text)) == 0;
 }
 
 /* The value of an attribute inside a tag. */
@@ -138,7 +93,7 @@ static int copy_entries(FILE *f, const char *path, const char *old, double time,
             DEM_ERROR_FILE,
             "%s has an entry without a timestep or a file; correct it or move the collection away",
             path);
-        if (old_time < time && !is_escaped(name, file))
+        if (old_time < time && !is_text(name, file))
         {
             fprintf(f, "    %.*s\n", (int)(tag.end + 1 - tag.at), tag.at);
         }
@@ -159,7 +114,7 @@ static int write_collection(FILE *f, const char *path, const char *old, double t
     fputs("    <DataSet timestep=\"", f);
     put_time(f, time);
     fputs("\" file=\"", f);
-    put_escaped(f, file);
+    fputs(file, f);
     fputs("\"/>\n  </Collection>\n</VTKFile>\n", f);
     return DEM_OK;
 }

@@ -32,16 +32,6 @@ void dem_device_steps(const struct dem *d, int64_t *made, int64_t *parts, int64_
     *repeated = c.repeated;
 }
 
-void dem_api_drop_device(struct dem *d, const char *why)
-{
-    if (d->state.device)
-    {
-        dem_device_free(&d->state);
-        snprintf(d->device, sizeof d->device, "the CPU makes all steps, not device %s: %s",
-                 d->scene.device, why);
-    }
-}
-
 const char *dem_devices_text(void)
 {
     static _Thread_local struct dem_text text;

@@ -1,9 +1,12 @@
 /*
- * effect_text.c -- an effect as text: stage, summary, source, limitation and settings.
+ * effect_text.c -- effects as text: stage, summary, source, limitation and settings; their traits.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "run/effect_text.h"
+#include "dem_plan.h"
+#include "case/internal.h"
+#include "core/error.h"
+#include "laws/effects.h"
 #include <math.h>
 
 static const char *const stages[DEM_STAGES] = {"normal", "damping", "tangential", "moment",
@@ -42,7 +45,8 @@ static void add_range(struct dem_text *t, const struct dem_setting *f)
     }
 }
 
-void dem_effect_text_add(struct dem_text *t, const struct dem_effect *e)
+/* Name, stage, summary, source and limitation, a line or two of each setting, and an empty line. */
+static void add_effect(struct dem_text *t, const struct dem_effect *e)
 {
     dem_text_add(t, "%-18s %-11s %s\n%-30s source: %s\n", e->name, stages[e->stage], e->summary, "",
            e->source);
@@ -61,4 +65,38 @@ void dem_effect_text_add(struct dem_text *t, const struct dem_effect *e)
         dem_text_add(t, "\n%-30s %s\n", "", f->help);
     }
     dem_text_add(t, "\n");
+}
+
+int dem_effect_text(const char *effect, const char **text)
+{
+    static _Thread_local struct dem_text all;
+    const struct dem_effect *const e = effect ? dem_effects_find(effect) : NULL;
+
+    DEM_TRY(effect && !e ? dem_effects_unknown("effects", effect) : DEM_OK);
+    dem_text_free(&all);
+    for (const struct dem_effect *const *other = dem_effects; *other; other++)
+    {
+        if (!e || e == *other)
+        {
+            add_effect(&all, *other);
+        }
+    }
+    *text = all.text;
+    return all.status;
+}
+
+unsigned dem_effect_traits(const char *name)
+{
+    const struct dem_effect *const effect = dem_effects_find(name);
+
+    if (!effect)
+    {
+        return 0;
+    }
+    return (effect->has_pressure_gradient ? DEM_TRAIT_PRESSURE_GRADIENT : 0U) |
+           (effect->needs & DEM_NEEDS_ACCELERATION ? DEM_TRAIT_FLUID_ACCELERATION : 0U) |
+           (effect->needs & DEM_NEEDS_STRESS ? DEM_TRAIT_FLUID_STRESS : 0U) |
+           (effect->needs & DEM_NEEDS_TURBULENCE ? DEM_TRAIT_TURBULENCE : 0U) |
+           (effect->needs & DEM_NEEDS_FLUID ? DEM_TRAIT_FLUID : 0U) |
+           (effect->needs & DEM_NEEDS_VISCOSITY ? DEM_TRAIT_VISCOSITY : 0U);
 }

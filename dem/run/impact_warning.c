@@ -39,10 +39,7 @@ struct impact    /* an impact at a speed, of the pair class in which it overlaps
 
 static double setting(const struct dem_effect_entry *entry, const char *name)
 {
-    const struct dem_setting *const f =
-        entry->effect->settings ? dem_settings_find(entry->effect->settings, name) : NULL;
-
-    return f ? *(const double *)(const void *)((const char *)entry->settings + f->offset) : 0.0;
+    return dem_settings_number(entry->effect->settings, entry->settings, name);
 }
 
 /* Overlap over the diameter of the smallest body. */

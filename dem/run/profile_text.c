@@ -3,9 +3,11 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "run/profile_text.h"
+#include "case/internal.h"
 #include "core/error.h"
-#include <string.h>
+#include "dem_query.h"
+#include "ranks/collect.h"
+#include "records/run_profile.h"
 
 static double ratio(double a, double b)
 {
@@ -17,23 +19,18 @@ static void write_phases(struct dem_text *t, const struct dem_profile *f)
 {
     dem_text_add(t,
                  "profile: wall clock %s, processor %s, %lld steps\n"
-                 "    %-12s  share  time       processor%s\n",
+                 "    %-12s  share  time%s\n",
                  dem_text_time(f->wall), dem_text_time(f->processor), (long long)f->steps, "phase",
-                 f->ranks > 1 ? "  of the slowest rank" : "");
+                 f->ranks > 1 ? "       of the slowest rank" : "");
     for (int k = 0; k < DEM_PROFILE_PHASES; k++)
     {
         const double fraction = ratio(f->phase[k].mean, f->wall);
 
         if (fraction >= 1e-3)
         {
-            dem_text_add(t, "    %-12s %5.1f %%  %-10s %s", f->phase[k].name, 100.0*fraction,
-                         dem_text_time(f->phase[k].mean), dem_text_time(f->phase[k].processor));
-            if (f->ranks > 1)
-            {
-                dem_text_add(t, "%*s%s", 11 - (int)strlen(dem_text_time(f->phase[k].processor)),
-                             "", dem_text_time(f->phase[k].max));
-            }
-            dem_text_add(t, "\n");
+            dem_text_add(t, f->ranks > 1 ? "    %-12s %5.1f %%  %-10s %s\n" : "    %-12s %5.1f %%  %s\n",
+                         f->phase[k].name, 100.0*fraction, dem_text_time(f->phase[k].mean),
+                         dem_text_time(f->phase[k].max));
         }
     }
 }
@@ -63,15 +60,15 @@ static void write_ranks(struct dem_text *t, const struct dem_profile *f)
         f->cuts);
 }
 
-int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
+static void write_profile(struct dem_text *t, const struct dem_profile *f)
 {
     const double seconds = f->wall - f->outside,
                  speed = 1e-6*ratio((double)f->particle_steps, seconds);
 
+    dem_text_add(t, "%s", "");
     if (f->steps == 0)
     {
-        dem_text_add(t, "%s", "");
-        return t->status;
+        return;
     }
     write_phases(t, f);
     dem_text_add(t, "    speed: %.4g million particle-steps/s", speed);
@@ -90,5 +87,21 @@ int dem_profile_write(struct dem_text *t, const struct dem_profile *f)
     {
         write_ranks(t, f);
     }
-    return t->status;
+}
+
+int dem_profile(struct dem *d, struct dem_profile *profile)
+{
+    dem_profile_take(&d->state, profile);
+    return dem_collect_status(&d->state.decomposition);
+}
+
+int dem_profile_text(struct dem *d, const char **text)
+{
+    struct dem_profile profile;
+
+    DEM_TRY(dem_profile(d, &profile));
+    dem_text_free(&d->profile);
+    write_profile(&d->profile, &profile);
+    *text = d->profile.text;
+    return d->profile.status;
 }

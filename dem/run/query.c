@@ -1,5 +1,5 @@
 /*
- * query.c -- public queries: version, time step, totals, profile, energy, walls, losses, flows, bonds,
+ * query.c -- public queries: version, time step, totals, energy, walls, losses, flows, bonds,
  * particles, averages.
  *
  * Queries change no result of the simulation.
@@ -10,9 +10,7 @@
 #include "dem_tables.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "run/profile_text.h"
 #include "records/totals.h"
-#include "records/run_profile.h"
 #include "records/virial.h"
 #include "run/effects_table.h"
 #include "ranks/collect.h"
@@ -65,23 +63,6 @@ void dem_start_overlap(const struct dem *d, struct dem_start_overlap *s)
         memcpy(s->position, wall->x, sizeof s->position);
         s->name = dem_wall_name(d, (int)wall->partner);
     }
-}
-
-int dem_profile(struct dem *d, struct dem_profile *profile)
-{
-    dem_profile_take(&d->state, profile);
-    return dem_collect_status(&d->state.decomposition);
-}
-
-int dem_profile_text(struct dem *d, const char **text)
-{
-    struct dem_profile profile;
-
-    DEM_TRY(dem_profile(d, &profile));
-    dem_text_free(&d->profile);
-    DEM_TRY(dem_profile_write(&d->profile, &profile));
-    *text = d->profile.text;
-    return DEM_OK;
 }
 
 int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_item **item)
@@ -235,7 +216,6 @@ int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double t
 
 int dem_wall_impulse_reset(struct dem *d)
 {
-    dem_api_drop_device(d, "loads on walls are asked for (write/walls)");
     return dem_wall_statistics_begin(d->state.wall_statistics, d->state.walls.walls);
 }
 

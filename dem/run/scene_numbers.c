@@ -156,10 +156,8 @@ static double number_at(const struct dem_interaction_table *r, enum dem_stage st
 {
     const struct dem_effect *const effect = effect_at(r, stage);
     const void *const settings = effect ? dem_effect_settings(r, effect) : NULL;
-    const struct dem_setting *const f =
-        settings && effect->settings ? dem_settings_find(effect->settings, entry) : NULL;
 
-    return f ? *(const double *)(const void *)((const char *)settings + f->offset) : NAN;
+    return settings ? dem_settings_number(effect->settings, settings, entry) : NAN;
 }
 
 static double zero_or(double number)

@@ -87,14 +87,9 @@ static double friction_alone(const struct dem_interaction_table *r)
             {
                 return -1.0;
             }
-            for (const struct dem_setting *f = e->effect->settings;
-                 e->effect->stage == DEM_STAGE_TANGENT && f && f->name; f++)
-            {
-                if (strcmp(f->name, "friction") == 0)
-                {
-                    largest = fmax(largest, numbers(f, e->settings)[0]);
-                }
-            }
+            largest = fmax(largest, e->effect->stage == DEM_STAGE_TANGENT
+                                        ? dem_settings_number(e->effect->settings, e->settings, "friction")
+                                        : 0.0);
         }
     }
     return largest;

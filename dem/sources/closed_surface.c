@@ -69,10 +69,9 @@ static void bound(struct dem_closed_surface *s)
    finds a straight tube without ends. */
 static double measure(struct dem_closed_surface *s)
 {
-    struct dem_sum volume;
+    struct dem_sum volume = {0};
     double sum[3] = {0.0, 0.0, 0.0}, moment[3][3] = {{0.0}}, sizes = 0.0, extent = 0.0;
 
-    dem_sum_clear(&volume);
     for (size_t t = 0; t < s->n; t++)
     {
         const double (*const x)[3] = (const double (*)[3])s->corner[t];

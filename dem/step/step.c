@@ -454,7 +454,7 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
     state->window.start = state->time;
     state->window.steps_before = state->steps;
     state->window.steps = steps;
-    dem_timers_begin_advance(state->timers, state->particles.n, steps);
+    dem_timers_begin_advance(state->timers, state->particles.n);
     dem_walls_move(&state->walls, state->time, 0.0);
     dem_walls_begin_advance(&state->walls, state->window.length);
     dem_bodies_begin_window(&state->particles, &state->interaction_table.bodies);
@@ -476,7 +476,6 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
 
 int dem_step_continue(struct dem_state *state)
 {
-    dem_timers_begin_advance(state->timers, state->particles.n,
-                             state->window.steps - (state->steps - state->window.steps_before));
+    dem_timers_begin_advance(state->timers, state->particles.n);
     return make_steps(state);
 }

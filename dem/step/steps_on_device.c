@@ -11,7 +11,6 @@
 #include "records/energy_balance.h"
 #include "records/grid_averages.h"
 #include "records/timers.h"
-#include "records/wall_statistics.h"
 #include "sources/flows.h"
 #include "step/limits.h"
 #include "step/neighbor_rebuild.h"
@@ -133,8 +132,9 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     struct dem_device_steps steps = {.first = first};
 
     *made = 0;
-    if (dem_device_waits(state) || state->wall_statistics->sum ||
-        state->energy_balance->open || state->window.stopped)
+    /* some of what refusal.c names can begin after the device was opened */
+    if (dem_device_waits(state) || state->energy_balance->open || state->window.stopped ||
+        state->walls.following > 0 || state->applied_forces.n > 0)
     {
         return DEM_OK;
     }

@@ -23,8 +23,8 @@
  * The rotation of springs with the pair, also on a rotating wall, is done by the effects
  * (laws/rotate.h).
  *
- * A vector is a history of three consecutive names of which the first ends in _x. The history of
- * effects of the stages BOND and FILM stays with the facet where it was made.
+ * walls/facet_springs.h has the arithmetic; the history of effects of the stages BOND and FILM stays
+ * with the facet where it was made.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

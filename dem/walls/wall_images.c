@@ -27,16 +27,14 @@
 #include <math.h>
 #include <string.h>
 
-static int whole_number(double n)
+void dem_walls_turns(const struct dem_walls *w, int wall, int turns[3])
 {
-    return (int)fmax(-DEM_WALL_IMAGES, fmin(DEM_WALL_IMAGES, n));
-}
+    const int frame = w->wall[wall].frame;
 
-void dem_walls_image_range(double period, const double extent[2], const double other[2],
-                           int range[2])
-{
-    range[0] = period > 0.0 ? whole_number(ceil((other[0] - extent[1])/period)) : 0;
-    range[1] = period > 0.0 ? whole_number(floor((other[1] - extent[0])/period)) : 0;
+    for (int k = 0; k < 3; k++)
+    {
+        turns[k] = frame < 0 ? 0 : (int)fmod(w->frame[frame].turns[k], DEM_IMAGE_MASK + 1);
+    }
 }
 
 /* ---- facets ---------------------------------------------------------------------------------- */

@@ -15,6 +15,7 @@
 #define DEM_WALLS_WALL_SEARCH_H
 
 #include "particles/particles.h"
+#include "walls/triangle_nearest.h"
 #include "walls/walls.h"
 
 /* wall neighbor: a particle and a facet */
@@ -127,11 +128,11 @@ static inline int dem_wall_neighbor_open(const struct dem_walls *w,
 uint32_t dem_wall_neighbor_candidate(const struct dem_wall_search *, const struct dem_walls *,
                                     const struct dem_wall_neighbor *, const double x[3]);
 
-/* The point of a triangle nearest to x (Voronoi regions of the triangle). Returns the squared
-   distance [m2]. */
-double dem_triangle_nearest(const struct dem_triangle *, const double x[3], double nearest[3]);
-
-/* The same for the edge from a to b. */
-double dem_edge_nearest(const double a[3], const double b[3], const double x[3], double nearest[3]);
+/* The point of a triangle nearest to x. Returns the squared distance [m2]. */
+static inline double dem_triangle_nearest(const struct dem_triangle *t, const double x[3],
+                                          double nearest[3])
+{
+    return dem_corners_nearest(t->corner, x, nearest);
+}
 
 #endif

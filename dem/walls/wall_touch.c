@@ -15,23 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Points nearer than this fraction of the radius are one point: far above round-off, far below any
-   overlap that matters. */
-static const double same_point = 1e-7;
-
-/* Cosine of the angle below which an edge is blunt: facets at larger angles are in reach together
-   only at overlaps of more than 6 % of the radius. */
-static const double blunt = 0.93969262078590838;           /* 20 degrees */
-
-/* Sine of an angle below which the nearer facet counts alone: the exponent of overlaps is its
-   inverse. */
-static const double coplanar = 1e-3;
-
-enum
-{
-    KEEP, DROP, CONTINUE    /* what becomes of a contact; CONTINUE: as a plane beyond its edge */
-};
-
 void dem_wall_touches_free(struct dem_wall_touches *t)
 {
     dem_memory_free(t->touch);
@@ -52,28 +35,11 @@ static void touch_triangles(const struct dem_wall_search *s, const struct dem_wa
                             const struct dem_wall_neighbor *near, const double x[3], double radius,
                             struct dem_wall_touch *t)
 {
-    struct dem_wall_touch face;
-    double moved[3], away[3], apart[3];
-    const double *const from = dem_wall_from_facet(w, near, x, moved);
+    double moved[3], away[3];
 
     t->distance = dem_wall_search_nearest(s, w, near, x, t->point, away);
-    face.distance =
-        dem_facet_touch(&w->facet[near->facet], from, x, face.point, face.normal);
-    for (int k = 0; k < 3; k++)
-    {
-        apart[k] = away[k] - face.distance*face.normal[k];
-    }
-    if ((dem_vec_norm(apart) < same_point*radius && !w->facet[near->facet].bent) ||
-        t->distance == 0.0)
-    {
-        /* inside a facet: the plane's own normal, free of the round-off at edges */
-        t->distance = dem_facet_touch(&w->facet[near->facet], from, x, t->point, t->normal);
-        return;
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        t->normal[k] = away[k]/t->distance;
-    }
+    dem_facet_touch_triangles(&w->facet[near->facet], dem_wall_from_facet(w, near, x, moved), x, away,
+                              radius, t);
 }
 
 /* Contact with a facet, or (whole) with its plane or surface, unbounded. */
@@ -104,50 +70,38 @@ static void touch_facet(const struct dem_wall_search *s, const struct dem_walls 
     }
 }
 
-/* 1 when a point, in the fixed frame, lies on the facet of a wall neighbor. */
-static int lies_on(const struct dem_wall_search *s, const struct dem_walls *w,
-                   const struct dem_wall_neighbor *near, const double point[3], double tolerance)
-{
-    const struct dem_facet *const r = &w->facet[near->facet];
-    double on[3], scratch[3], moved[3], normal[3];
-    const double *const x = dem_walls_to_frame(w, r->wall, point, scratch);
+/* ---- several facets: facet_contacts.h -------------------------------------------------------- */
 
-    if (dem_wall_neighbor_open(w, near))
-    {
-        return fabs(dem_facet_height(r, dem_wall_from_facet(w, near, x, moved), normal)) <
-               tolerance;
-    }
-    return dem_wall_search_nearest(s, w, near, x, on, moved) < tolerance;
+struct dem_facets_near    /* facet k: wall neighbor k of the search */
+{
+    const struct dem_wall_search *s;
+    const struct dem_walls *w;
+    const struct dem_particle *i;
+};
+
+static int dem_facets_near_whole(const struct dem_facets_near *v, size_t k)
+{
+    const struct dem_wall_neighbor *const near = &v->s->neighbor[k];
+
+    return v->w->facet[near->facet].bent || dem_wall_neighbor_open(v->w, near);
 }
 
-/* 1 when b takes precedence over a: a strict order, so that no two contacts are dropped in favour
-   of each other. */
-static int takes_precedence(size_t b, size_t a, const struct dem_wall_touch *touch)
+static int dem_facets_near_lies_on(const struct dem_facets_near *v, size_t k, const double point[3],
+                                   double tolerance)
 {
-    return touch[b].distance < touch[a].distance ||
-           (touch[b].distance <= touch[a].distance && b < a);
+    return fabs(dem_wall_search_distance(v->s, v->w, &v->s->neighbor[k], point)) < tolerance;
 }
 
-static double square_apart(size_t a, size_t b, const struct dem_wall_touch *touch)
+static void dem_facets_near_inner(const struct dem_facets_near *v, size_t k, const double at[3],
+                                  double point[3])
 {
-    double apart[3];
-
-    dem_vec_minus(touch[a].point, touch[b].point, apart);
-    return dem_vec_dot(apart, apart);
-}
-
-/* A point of a wall neighbor's facet, in the fixed frame: the middle of its triangle nearest to the
-   particle. */
-static void inner_point(const struct dem_wall_search *s, const struct dem_walls *w,
-                        const struct dem_wall_neighbor *near, const struct dem_particle *i,
-                        double point[3])
-{
-    const int wall = w->facet[near->facet].wall, frame = w->wall[wall].frame;
+    const struct dem_wall_neighbor *const near = &v->s->neighbor[k];
+    const int wall = v->w->facet[near->facet].wall, frame = v->w->wall[wall].frame;
     double scratch[3], middle[3], moved[3];
-    const double *const x = dem_walls_to_frame(w, wall, i->x, scratch);
-    const uint32_t candidate = dem_wall_neighbor_candidate(s, w, near, x);
-    const struct dem_triangle *const t = &w->triangle[s->candidate[candidate]];
-    const double *const from = dem_wall_from_candidate(s, w, candidate, x, moved);
+    const double *const x = dem_walls_to_frame(v->w, wall, at, scratch);
+    const uint32_t candidate = dem_wall_neighbor_candidate(v->s, v->w, near, x);
+    const struct dem_triangle *const t = &v->w->triangle[v->s->candidate[candidate]];
+    const double *const from = dem_wall_from_candidate(v->s, v->w, candidate, x, moved);
 
     for (int k = 0; k < 3; k++)
     {
@@ -157,166 +111,18 @@ static void inner_point(const struct dem_wall_search *s, const struct dem_walls 
     }
     if (frame >= 0)
     {
-        dem_pose_point(&w->frame[frame].pose, middle, point);
+        dem_pose_point(&v->w->frame[frame].pose, middle, point);
     }
 }
 
-/* What becomes of contact a: of the facets on which its nearest point lies the one nearest to the
-   particle decides. Where a rises from that facet, on the particle's side, the surface of a is
-   continued beyond the edge; else the other facet has the contact. */
-static int fate(const struct dem_wall_search *s, const struct dem_walls *w, size_t a, size_t first,
-                size_t end, const struct dem_particle *i, const struct dem_wall_touch *touch)
+static void dem_facets_near_continue(const struct dem_facets_near *v, size_t k, const double x[3],
+                                     struct dem_wall_touch *touch)
 {
-    const struct dem_wall_neighbor *const near = &s->neighbor[a];
-    double inside[3], into[3];
-    size_t by = end;
-
-    for (size_t b = first; b < end; b++)
-    {
-        if (b != a && takes_precedence(b, a, touch) &&
-            (by == end || takes_precedence(b, by, touch)) &&
-            lies_on(s, w, &s->neighbor[b], touch[a].point, same_point*i->radius))
-        {
-            by = b;
-        }
-    }
-    if (by == end)
-    {
-        return KEEP;
-    }
-    if (w->facet[near->facet].bent || dem_wall_neighbor_open(w, near))
-    {
-        return DROP;
-    }
-    inner_point(s, w, near, i, inside);
-    dem_vec_minus(inside, touch[a].point, into);
-    return dem_vec_dot(touch[by].normal, into) > same_point*i->radius ? CONTINUE : DROP;
+    (void)x;
+    touch_facet(v->s, v->w, &v->s->neighbor[k], v->i, 1, touch);
 }
 
-/* Of facets that touch in the same point the first gets the contact. There the order by distance
-   is round-off, and the contact history has to stay with one facet. */
-static size_t first_there(size_t of, size_t first, double tolerance,
-                          const struct dem_wall_touch *touch)
-{
-    size_t a = first;
-
-    while (a < of &&
-           (touch[a].distance >= DBL_MAX || square_apart(a, of, touch) >= tolerance*tolerance))
-    {
-        a++;
-    }
-    return a;
-}
-
-/* The deepest of the contacts that are kept and shallower than `last`; end: none. last = end: of
-   all. */
-static size_t next_deepest(size_t last, size_t first, size_t end, double radius,
-                           const struct dem_wall_touch *touch)
-{
-    size_t deepest = end;
-
-    for (size_t k = first; k < end; k++)
-    {
-        if (touch[k].drop == KEEP && touch[k].distance < radius &&
-            (last == end || takes_precedence(last, k, touch)) &&
-            (deepest == end || takes_precedence(k, deepest, touch)))
-        {
-            deepest = k;
-        }
-    }
-    return deepest;
-}
-
-/* Contacts with facets at blunt angles to the deepest one, `leader`: one contact, see the header. */
-static void blend(size_t leader, size_t first, size_t end, const struct dem_particle *i,
-                  struct dem_wall_touch *touch)
-{
-    struct dem_wall_touch *const l = &touch[leader];
-    const double deepest = i->radius - l->distance;
-    double sum = 1.0, inverse = 0.0, along[3] = {l->normal[0], l->normal[1], l->normal[2]};
-
-    for (size_t k = first; k < end; k++)
-    {
-        const double c = dem_vec_dot(touch[k].normal, l->normal);
-
-        if (touch[k].drop || touch[k].distance >= i->radius || c <= blunt ||
-            !takes_precedence(leader, k, touch))
-        {
-            continue;
-        }
-        const double sine = sqrt(fmax(1.0 - c*c, 0.0)), r = (i->radius - touch[k].distance)/deepest;
-
-        touch[k].drop = DROP;
-        if (sine > coplanar)
-        {
-            const double share = pow(r, 1.0/sine);
-
-            sum += share;
-            inverse += share*sine;
-            for (int m = 0; m < 3; m++)
-            {
-                along[m] += share/r*touch[k].normal[m];
-            }
-        }
-    }
-    if (inverse > 0.0)
-    {
-        /* the overlap d over the deepest one; the gradient of d */
-        const double wider = pow(sum, inverse/(sum - 1.0)),
-                     slope = wider*dem_vec_norm(along)/sum,
-                     overlap = deepest*wider*pow(slope, 1.0/fmax(l->exponent, 1.0));
-
-        l->distance = i->radius - overlap;
-        for (int m = 0; m < 3; m++)
-        {
-            l->normal[m] = along[m]/dem_vec_norm(along);
-            l->point[m] = i->x[m] - l->distance*l->normal[m];
-        }
-    }
-}
-
-/* Mark first, drop afterwards: a contact may duplicate one that is a duplicate itself, down to the
-   nearest one of a curved surface. */
-static void drop_duplicates(const struct dem_wall_search *s, const struct dem_walls *w,
-                            size_t first, size_t end, const struct dem_particle *i,
-                            struct dem_wall_touch *touch)
-{
-    const double radius = i->radius;
-
-    for (size_t a = first; a < end; a++)
-    {
-        if (touch[a].distance < radius)
-        {
-            touch[a].drop = fate(s, w, a, first, end, i, touch);
-        }
-    }
-    for (size_t a = first; a < end; a++)
-    {
-        if (touch[a].drop == KEEP && touch[a].distance < radius)
-        {
-            touch[a].drop = DROP;
-            touch[first_there(a, first, same_point*radius, touch)].drop = KEEP;
-        }
-    }
-    for (size_t a = first; a < end; a++)
-    {
-        if (touch[a].drop == CONTINUE)
-        {
-            touch_facet(s, w, &s->neighbor[a], i, 1, &touch[a]);
-            touch[a].drop = KEEP;
-        }
-    }
-    /* from the deepest contact on; what is left is at larger angles to it */
-    for (size_t leader = next_deepest(end, first, end, radius, touch); leader < end;
-         leader = next_deepest(leader, first, end, radius, touch))
-    {
-        blend(leader, first, end, i, touch);
-    }
-    for (size_t a = first; a < end; a++)
-    {
-        touch[a].distance = touch[a].drop ? DBL_MAX : touch[a].distance;
-    }
-}
+#include "walls/facet_contacts.h"
 
 /* A wall neighbor without a row is too far away to touch or to take over a contact, until lists are
    pruned again. */
@@ -342,7 +148,11 @@ void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_s
         }
         if (touching > 1)
         {
-            drop_duplicates(s, w, first, last + 1, i, t->touch);
+            const struct dem_facets_near near = {.s = s, .w = w, .i = i};
+
+            dem_contact_drop_duplicates(&(struct dem_facet_contacts){
+                .near = &near, .touch = t->touch, .first = first, .end = last + 1,
+                .x = {i->x[0], i->x[1], i->x[2]}, .radius = i->radius});
             t->shared_first[t->shared++] = first;
         }
     }

@@ -29,17 +29,8 @@
 #ifndef DEM_WALLS_WALL_TOUCH_H
 #define DEM_WALLS_WALL_TOUCH_H
 
+#include "walls/facet_touch.h"
 #include "walls/wall_search.h"
-
-struct dem_wall_touch
-{
-    double point[3], normal[3], distance;  /* m, unit vector to the particle, m;
-                                              DBL_MAX when dropped or without a row */
-    int drop;                              /* 1: another facet has this contact */
-    double exponent;                       /* m of its normal law */
-    uint32_t row;                          /* its contact row, or DEM_ROW_NONE (wall_rows.h) */
-    uint32_t surface;                      /* scratch of wall_springs */
-};
 
 struct dem_wall_touches
 {

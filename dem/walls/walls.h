@@ -27,9 +27,9 @@
 #define DEM_WALLS_WALLS_H
 
 #include "core/name_index.h"
-#include "particles/periodic_image.h"
 #include "walls/compound_motion.h"
 #include "walls/facet.h"
+#include "walls/facet_image.h"
 #include "walls/wall_drive.h"
 #include "walls/wall_motion.h"
 #include <stddef.h>
@@ -291,37 +291,14 @@ void dem_walls_find_push(struct dem_walls *);
 
 /* ---- periodic images: no effect without periodic axes ----------------------------------------- */
 
-/* Largest number of periods between a triangle and its image that a particle meets. Small, as a plate
-   much larger than the domain has this number of images around each particle, squared. */
-enum
-{
-    DEM_WALL_IMAGES = 2
-};
-
-/* The images [n, n] of an extent that may meet another one [m]: all that meet it; 0 without a period. */
-void dem_walls_image_range(double period, const double extent[2], const double other[2],
-                           int range[2]);
-
 /* The period [m] of the images of triangles with this reference frame, -1: at rest. */
 static inline const double *dem_walls_period(const struct dem_walls *w, int frame)
 {
     return frame < 0 ? w->period : w->frame[frame].period;
 }
 
-/* Where x is when the image that is n periods off is taken back: x itself, or written to `moved`. */
-static inline const double *dem_walls_from_image(const double period[3], const int8_t n[3],
-                                                 const double x[3], double moved[3])
-{
-    if (!(n[0] | n[1] | n[2]))
-    {
-        return x;
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        moved[k] = x[k] - n[k]*period[k];
-    }
-    return moved;
-}
+/* Whole periods taken off a wall's displacement, for the keys of its contacts. */
+void dem_walls_turns(const struct dem_walls *, int wall, int turns[3]);
 
 /* A corner of a triangle at its place in the facet. */
 void dem_walls_place_corner(const struct dem_walls *, const struct dem_triangle *, int k,

@@ -27,7 +27,7 @@ Coupled cases:
     dem_script.py, dem_walls.py                  its DEM script, its walls beside patches
     cloud.py, cloud_models.py, cloud_sizes.py, cloud_injection.py     OpenFOAM's clouds
     coupled_case.py                              the case that is written
-    foam_dictionary.py, mesh_patches.py          OpenFOAM's dictionaries and meshes
+    foam_dictionary.py, foam_reader.py, mesh_patches.py      OpenFOAM's dictionaries and meshes
     mesh_surfaces.py                             distances of walls of triangles from patches
 
 SPDX-License-Identifier: GPL-3.0-or-later

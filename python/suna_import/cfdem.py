@@ -17,7 +17,8 @@ from .cfdem_models import HEAT, add_equations, add_exchange, add_forces, add_ker
 from .coupled_case import CoupledCase
 from .dem_script import read_dem_script
 from .dem_walls import place_walls
-from .foam_dictionary import Dictionary, as_text, existing
+from .foam_dictionary import Dictionary, as_text
+from .foam_reader import existing
 from .liggghts_mesh import write_stl
 from .mesh_patches import COUPLED, read_patches
 from .report import Place

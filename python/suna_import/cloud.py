@@ -15,7 +15,8 @@ import re
 from .cloud_injection import add_injection
 from .cloud_models import DRAG, FORCES, add_contacts, add_dispersion, add_forces, add_patches
 from .coupled_case import CoupledCase, FIELDS
-from .foam_dictionary import Entry, existing, file_text
+from .foam_dictionary import Entry
+from .foam_reader import existing, file_text
 from .mesh_patches import read_patches
 from .report import Place
 
@@ -92,10 +93,10 @@ class CloudCase(CoupledCase):
     def refuse_others(self):
         sub = self.cloud.sub("subModels")
         for name in ("packingModel", "dampingModel", "isotropyModel"):
-            if name in sub and sub.word(name) != "none":
+            if sub.word(name, "none") != "none":
                 sub.refuse(name, NOT_DEM, f"{sub.word(name)} (MP-PIC)")
         for name in ("compositionModel", "phaseChangeModel", "heatTransferModel"):
-            if name in sub and sub.word(name) != "none":
+            if sub.word(name, "none") != "none":
                 sub.refuse(name, REACTING, sub.word(name))
 
     # ---- particles -------------------------------------------------------------------------------
@@ -243,11 +244,11 @@ class CloudCase(CoupledCase):
             self.properties.add("coupling", "twoWay no;")
         self.use_dem_pimple_foam("U." + phase)
         self.rename_fields(phase)
-        for name in (f"turbulenceProperties.{phase}",):
-            if self.has("constant/" + name):
-                path = existing(self.target/"constant"/name)
-                (self.target/"constant/turbulenceProperties").write_text(
-                    file_text(path).replace(name, "turbulenceProperties"), encoding="latin-1")
+        name = f"turbulenceProperties.{phase}"
+        if self.has("constant/" + name):
+            path = existing(self.target/"constant"/name)
+            (self.target/"constant/turbulenceProperties").write_text(
+                file_text(path).replace(name, "turbulenceProperties"), encoding="latin-1")
         self.set_gravity()
 
     def rename_fields(self, phase):
@@ -298,16 +299,12 @@ class CloudCase(CoupledCase):
         self.write("constant/idleProperties", IDLE)
         self.change("system/controlDict", "functions { particles { type demCloud; libs "
                     '("libdemCoupling.so"); } }')
-        schemes = self.read("system/fvSchemes").sub("ddtSchemes")
-        if "default" not in schemes or schemes.word("default") == "none":
-            self.change("system/fvSchemes", "ddtSchemes { default Euler; }")
+        schemes = self.read("system/fvSchemes")
+        self.use_default(schemes, "ddtSchemes", "Euler")
+        self.use_default(schemes, "gradSchemes", "Gauss linear")
         transport = self.read("constant/transportProperties")
         if "rhoInf" not in transport:
             report.refuse(transport.place, "rhoInf", "is missing: the fluid's density")
-        for name in ("gradSchemes",):
-            d = self.read("system/fvSchemes").sub(name)
-            if "default" not in d or d.word("default") == "none":
-                self.change("system/fvSchemes", "gradSchemes { default Gauss linear; }")
         self.set_gravity()
 
     def set_gravity(self):

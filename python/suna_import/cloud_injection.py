@@ -12,7 +12,7 @@ import numpy
 
 from . import cloud_sizes
 from .cloud_models import PARCELS
-from .foam_dictionary import existing, file_text
+from .foam_reader import existing, file_text
 from .report import Place
 from .scene_text import vector
 

@@ -13,7 +13,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import re
 import shutil
 
-from .foam_dictionary import Dictionary, Entry, as_text, existing, file_text, read_dictionary
+from .foam_dictionary import Dictionary, Entry, as_text
+from .foam_reader import existing, file_text, read_dictionary
 from .report import CannotTranslate, Place
 from .scene_text import SceneText
 
@@ -192,18 +193,17 @@ class CoupledCase:
                 continue
             if found:
                 scheme = as_text(d.tokens(found))
-            elif "default" in d and d.word("default") != "none":
+            elif d.word("default", "none") != "none":
                 continue
             self.change("system/fvSchemes", f"{group} {{ {term} {scheme}; }}")
-        if "default" not in schemes.sub("laplacianSchemes") or \
-                schemes.sub("laplacianSchemes").word("default") == "none":
-            self.change("system/fvSchemes", "laplacianSchemes { default Gauss linear corrected; }")
-        if "default" not in schemes.sub("interpolationSchemes") or \
-                schemes.sub("interpolationSchemes").word("default") == "none":
-            self.change("system/fvSchemes", "interpolationSchemes { default linear; }")
-        if "default" not in schemes.sub("gradSchemes") or \
-                schemes.sub("gradSchemes").word("default") == "none":
-            self.change("system/fvSchemes", "gradSchemes { default Gauss linear; }")
+        self.use_default(schemes, "laplacianSchemes", "Gauss linear corrected")
+        self.use_default(schemes, "interpolationSchemes", "linear")
+        self.use_default(schemes, "gradSchemes", "Gauss linear")
+
+    def use_default(self, schemes, group, scheme):
+        """Where the group has no default."""
+        if schemes.sub(group).word("default", "none") == "none":
+            self.change("system/fvSchemes", f"{group} {{ default {scheme}; }}")
 
     def use_solvers(self, velocity):
         report, solution = self.report, self.read("system/fvSolution")

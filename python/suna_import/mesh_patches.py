@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy
 
-from .foam_dictionary import Dictionary, existing, file_text, read_dictionary
+from .foam_dictionary import Dictionary
+from .foam_reader import existing, file_text, read_dictionary
 from .report import Place
 
 # of constraint types, on which particles need neither wall nor outlet

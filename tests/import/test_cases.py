@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 from scipy.special import erfinv
 
 from suna_import import cfdem, cfdem_models, cloud, cloud_injection, cloud_models, cloud_sizes
-from suna_import.foam_dictionary import read_dictionary
+from suna_import.foam_reader import read_dictionary
 from suna_import.liggghts_mesh import read_triangles, write_stl
 from suna_import.mesh_patches import read_patches
 from suna_import.mesh_surfaces import distance, samples

@@ -152,57 +152,57 @@ static void particles(void)
     const size_t force = sizeof(struct dem_particle);     /* the first column */
 
     number("a position that is not a number", of_particle(1, x + 8), NAN,
-           "the position of particle 1 is nan m in component 2 of 3");
+           "particle 1 has distance [m] from the origin nan");
     number("an infinite position", of_particle(0, x), -INFINITY,
-           "the position of particle 0 is -inf m");
+           "particle 0 has distance [m] from the origin inf");
     number("a position too far to resolve overlaps", of_particle(1, x), 1e30,
-           "particle 1 at (1e+30 0 ");
+           "particle 1 has distance [m] from the origin 1e+30");
     number("a velocity that is not a number", of_particle(0, v), NAN,
-           "the velocity of particle 0 is nan m/s");
+           "particle 0 has speed [m/s] nan");
     number("an infinite velocity", of_particle(0, v + 16), INFINITY,
-           "the velocity of particle 0 is inf m/s in component 3");
-    number("1e30 m/s", of_particle(1, v), 1e30, "particle 1 has velocity (1e+30 ");
+           "particle 0 has speed [m/s] inf");
+    number("1e30 m/s", of_particle(1, v), 1e30, "particle 1 has speed [m/s] 1e+30");
     number("1e200 m/s, whose square is infinite", of_particle(1, v), 1e200,
-           "the limit is 2.99792e+08 m/s");
+           "particle 1 has speed [m/s] inf");
     number("a spin that is not a number", of_particle(1, w), NAN,
-           "the spin of particle 1 is nan 1/s");
+           "particle 1 has speed [m/s] of its surface nan");
     number("a surface faster than light", of_particle(1, w), 1e12,
-           "particle 1 of radius 0.0005 m has spin (1e+12 ");
+           "particle 1 has speed [m/s] of its surface 5e+08");
     number("a radius that is not a number", of_particle(0, offsetof(struct dem_particle, radius)),
-           NAN, "the radius of particle 0 is nan m");
+           NAN, "particle 0 has radius [m] nan");
     number("a mass that is not a number", of_particle(0, offsetof(struct dem_particle, mass)), NAN,
-           "the mass of particle 0 is nan kg");
+           "particle 0 has mass [kg] nan");
     number("an infinite inverse of the mass",
            of_particle(0, offsetof(struct dem_particle, inverse_mass)), INFINITY,
-           "the inverse of the mass of particle 0");
+           "particle 0 has inverse mass [1/kg] inf");
     number("inverse mass 0 of a free particle",
            of_particle(0, offsetof(struct dem_particle, inverse_mass)), 0.0,
-           "particle 0, which is free");
+           "particle 0 has inverse mass [1/kg] 0");
     number("a negative inverse mass", of_particle(0, offsetof(struct dem_particle, inverse_mass)),
-           -1.0, "particle 0, which is free");
+           -1.0, "particle 0 has inverse mass [1/kg] -1");
     number("another moment of inertia",
            of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0,
-           "particle 1, which is free");
+           "particle 1 has inverse moment of inertia [1/(kg m2)] 1");
     number("an unused number that is not a number",
            of_particle(1, offsetof(struct dem_particle, unused)), NAN,
-           "the unused number of particle 1 is nan");
+           "particle 1 has unused number nan");
     number("a force that is not a number", of_particle(1, force), NAN,
-           "force of particle 1 is nan");
+           "particle 1 has force nan");
     number("an infinite torque", of_particle(1, force + 3*8), INFINITY,
-           "torque of particle 1 is inf");
+           "particle 1 has torque inf");
     whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1,
-          "id -1, and ids go from 0 to 9223372036854775806");
+          "has id -1");
     whole("an id after which there is no other", of_particle(0, offsetof(struct dem_particle, id)),
-          INT64_MAX, "id 9223372036854775807");
+          INT64_MAX, "has id 9.22337e+18");
     int64_t flags;
 
     memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
     whole("unknown flags", of_particle(0, offsetof(struct dem_particle, material)),
-          flags | 4 << 16, "particle 0 has flags 0x4");
+          flags | 4 << 16, "particle 0 has flags 4");
     whole("driven, but not frozen", of_particle(0, offsetof(struct dem_particle, material)),
-          flags | 2 << 16, "particle 0 has flags 0x2");
+          flags | 2 << 16, "particle 0 has flags 2");
     whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)),
-          flags | 1 << 16, "particle 0, which is frozen");
+          flags | 1 << 16, "particle 0 has inverse mass [1/kg]");
     const int64_t twin = 1;
 
     corrupt("a repeated id", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0,

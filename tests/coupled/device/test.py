@@ -1,0 +1,51 @@
+"""A coupled run whose particles' steps are made by an OpenCL device has the bits of the same run on the CPU.
+
+- Two groups of spheres in a liquid box, with gidaspow, pressureGradient and saffmanMei; own wake left out; a floor of
+  triangles (the walls of the mesh): snapshot, fields, exchange in the log.
+
+Skipped without an OpenCL device; pocl is one, on CPUs.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+
+# hwloc shall not bring pocl into MPI; programs of the device are kept here
+os.environ.update(HWLOC_COMPONENTS="-opencl", XDG_CACHE_HOME=str(work/"cache"))
+(work/"cache").mkdir()
+devices = subprocess.run(["dem", "run", "-device", "list"], capture_output=True, text=True).stdout
+name = next((line.split("  (")[0] for line in devices.splitlines() if "driver" in line), None)
+
+
+def box(folder, device):
+    """A box of 8 mm with walls; the device's entry."""
+    case = Case(folder, source="shared")
+    case.flow("(0 0 0)", "walls { type noSlip; }", "walls { type fixedFluxPressure; }")
+    case.gravity("(1 0 -9.81)")
+    case.controls(0.02, 0.001, nu=1e-6)
+    case.box((0.008,)*3, (4,)*3, {"walls": ("wall", "x- x+ y- y+ z- z+")})
+    case.properties("glass { density 2500; youngsModulus 2e5; poissonsRatio 0.3; }",
+                    "hertz {} dry { restitution 0.8; } mindlin { friction 0.4; } gidaspow {} pressureGradient {} "
+                    "saffmanMei {}",
+                    "bed { type lattice; diameter 8e-4; count 300; spacing 1.2; jitter 0.9; seed 3; "
+                    "velocity (0.05 0 -0.1); min (0.0002 0.0002 0.0002); max (0.0078 0.0078 0.0078); }",
+                    "rho 1000; kernel diffusion; width 3; ownWake yes; record { interval 0.002; }",
+                    f"walls {{ walls {{ material glass; }} }}\n{device}")
+    case.run("demPimpleFoam")
+    claim_ran(f"{folder}: runs", case)
+    return case
+
+
+if name is None:
+    skip("steps on a device in a coupled run", devices.splitlines()[0] if devices else "no OpenCL")
+else:
+    cpu, device = box("cpu", ""), box("device", f'device "{name}";')
+    claim("the log names the device", device.found(rf"^Suna: device: {re.escape(name)}"))
+    claim("and the device makes steps", device.found(r"^    device +[1-9][0-9.]* %"))
+    last = cpu.times()[-1]
+    claim("same particles", snapshot_hash(cpu/last/"uniform/dem.snapshot")
+          == snapshot_hash(device/last/"uniform/dem.snapshot"))
+    for field in ("U", "p", "voidFraction"):
+        claim(f"same field {field}", agrees(cpu/last/field, device/last/field))
+    claim("same loads on walls", agrees(*(next(iter(sorted(c.path.glob("postProcessing/**/walls.csv"))))
+                                          for c in (cpu, device))))
+finish()
