@@ -115,10 +115,6 @@ int dem_set_force(struct dem *d, dem_force_function *add, void *self)
                 "do not know forces of the program");
     d->state.applied_forces.program.add = add;
     d->state.applied_forces.program.self = self;
-    if (add)
-    {
-        dem_api_drop_device(d, "the program gives forces (dem_set_force)");
-    }
     return DEM_OK;
 }
 
