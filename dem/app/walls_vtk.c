@@ -1,64 +1,117 @@
 /*
- * walls_vtk.c -- write the triangles of all walls, at their present positions, as a VTK file.
+ * walls_vtk.c -- write the triangles of all walls, at their present positions and with their wear, as a
+ * VTK file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/walls_vtk.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/vec.h"
 #include "records/vtk.h"
 #include <stdio.h>
 
-/* The number of triangles; *moves: 1 when one of their walls moves. */
-static int64_t count(const struct dem *d, int *moves)
+/* The number of triangles; *changes: 1 when one of their walls moves or wears. */
+static int64_t count(const struct dem *d, int *changes)
 {
     int64_t n = 0;
 
-    *moves = 0;
+    *changes = 0;
     for (int w = 0; w < dem_wall_count(d); w++)
     {
         struct dem_wall_info facts;
 
         dem_wall_info(d, w, &facts);
         n += facts.triangles;
-        *moves |= facts.triangles > 0 && facts.moves;
+        *changes |= facts.triangles > 0 && (facts.moves || dem_wall_wears(d, w));
     }
     return n;
+}
+
+static int any_wears(const struct dem *d)
+{
+    int wears = 0;
+
+    for (int w = 0; w < dem_wall_count(d); w++)
+    {
+        wears |= dem_wall_wears(d, w);
+    }
+    return wears;
+}
+
+/* Area of a triangle [m2]. */
+static double area(const double *corners)
+{
+    double a[3], b[3], normal[3];
+
+    dem_vec_minus(corners + 3, corners, a);
+    dem_vec_minus(corners + 6, corners, b);
+    dem_vec_cross(a, b, normal);
+    return 0.5*dem_vec_norm(normal);
+}
+
+struct triangles    /* of all walls, on the first rank */
+{
+    double *corners, *wear;    /* m, m; wear NULL: no wall wears */
+    int64_t *wall;
+};
+
+/* Collective. The triangles of a wall, from number `done` on. */
+static int gather(const struct dem_program *prog, struct dem *d, int wall, int64_t done,
+                  struct triangles *t, int64_t *n)
+{
+    struct dem_wall_info facts;
+
+    dem_wall_info(d, wall, &facts);
+    *n = facts.triangles;
+    DEM_TRY(dem_wall_corners(d, wall, prog->rank == 0 ? t->corners + 9*done : NULL));
+    DEM_TRY(any_wears(d) ? dem_wall_wear(d, wall, prog->rank == 0 ? t->wear + done : NULL) : DEM_OK);
+    for (int64_t k = done; k < done + *n && prog->rank == 0; k++)
+    {
+        t->wall[k] = wall;
+        if (t->wear)
+        {
+            t->wear[k] /= area(t->corners + 9*k);
+        }
+    }
+    return DEM_OK;
+}
+
+static int reserve(struct triangles *t, int64_t n, int wears)
+{
+    DEM_TRY(DEM_NEW(t->corners, 9*n));
+    DEM_TRY(DEM_NEW(t->wall, n));
+    return wears ? DEM_NEW(t->wear, n) : DEM_OK;
 }
 
 /* Collective; the first rank writes the file. */
 static int write_all(const struct dem_program *prog, struct dem *d, int64_t n, const char *path)
 {
-    double *corners = NULL;
-    int64_t *wall = NULL, done = 0;
-    int status = prog->rank == 0 ? DEM_NEW(corners, 9*n) : DEM_OK;
+    struct triangles t = {NULL, NULL, NULL};
+    int64_t done = 0, more = 0;
+    int status = dem_program_agree(prog, prog->rank == 0 ? reserve(&t, n, any_wears(d)) : DEM_OK);
 
-    status = status || prog->rank > 0 ? status : DEM_NEW(wall, n);
-    status = dem_program_agree(prog, status);
     for (int w = 0; w < dem_wall_count(d) && !status; w++)
     {
-        struct dem_wall_info facts;
-
-        dem_wall_info(d, w, &facts);
-        status = dem_wall_corners(d, w, prog->rank == 0 ? corners + 9*done : NULL);
-        for (int64_t k = 0; k < facts.triangles && prog->rank == 0; k++)
-        {
-            wall[done++] = w;
-        }
+        status = gather(prog, d, w, done, &t, &more);
+        done += more;
     }
-    status = status || prog->rank > 0 ? status : dem_vtk_write_triangles(path, n, corners, wall);
-    dem_memory_free(corners);
-    dem_memory_free(wall);
+    status = status || prog->rank > 0
+                 ? status
+                 : dem_vtk_write_triangles(path, n, t.corners, t.wall, t.wear);
+    dem_memory_free(t.corners);
+    dem_memory_free(t.wall);
+    dem_memory_free(t.wear);
     return dem_program_agree(prog, status);
 }
 
 int dem_walls_vtk_begin(const struct dem_output *o, const struct dem_program *prog, struct dem *d)
 {
     char path[640];
-    int moves;
-    const int64_t n = count(d, &moves);
+    int changes;
+    const int64_t n = count(d, &changes);
 
-    if (!o->vtk || n == 0 || moves)
+    if (!o->vtk || n == 0 || changes)
     {
         return DEM_OK;
     }
@@ -70,10 +123,10 @@ int dem_walls_vtk_write(const struct dem_output *o, const struct dem_program *pr
                         int64_t number, double time)
 {
     char file[64], path[640];
-    int moves;
-    const int64_t n = count(d, &moves);
+    int changes;
+    const int64_t n = count(d, &changes);
 
-    if (n == 0 || !moves)
+    if (n == 0 || !changes)
     {
         return DEM_OK;
     }

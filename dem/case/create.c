@@ -136,6 +136,7 @@ void dem_free(struct dem *d)
     dem_walls_free(&d->state.walls);
     dem_wall_store_free(&d->state.wall_store);
     dem_interaction_table_free(&d->state.interaction_table);
+    dem_clumps_free(&d->state.clumps);
     dem_applied_forces_free(&d->state.applied_forces);
     dem_load_balance_free(&d->state.load_balance);
     dem_decomposition_free(&d->state.decomposition);

@@ -87,6 +87,10 @@ static void begin_columns(struct dem *d, size_t from)
         for (int k = 0; k < 3 && p->window.half_step_ahead && q->inverse_mass > 0.0; k++)
         {
             q->v[k] += 0.5*p->dt*g[k];
+            if (q->body)
+            {
+                dem_clump_of(&p->particles, i)->v[k] += 0.5*p->dt*g[k];
+            }
         }
     }
 }

@@ -372,6 +372,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
         DEM_TRY(dem_scalar_entries_read(start, r, 0, s->start_scalar));
         DEM_TRY(read_frozen(s, start, r));
     }
+    DEM_TRY(dem_clump_shapes_read(&s->shapes, scene));
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
     DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r, d));
@@ -386,6 +387,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
                 "%s: start freezes all particles, but insert/%s lets others move; leave out one of "
                 "the two", dem_dict_where(start), s->streams.stream[0].name);
     s->insertion.domain = d;
+    s->insertion.shapes = &s->shapes;
     DEM_TRY(insert ? dem_insert_read(&s->insertion, insert, r, w) : DEM_OK);
     DEM_REQUIRE(!start || s->insertion.n == 0, DEM_ERROR_INPUT,
                 "%s: the scene has both start and insert; keep one, or keep in insert only entries "
@@ -398,6 +400,7 @@ void dem_scene_free(struct dem_scene *s)
 {
     dem_memory_free(s->average);
     dem_insert_free(&s->insertion);
+    dem_clump_shapes_free(&s->shapes);
     dem_streams_free(&s->streams);
     dem_initial_particles_free(&s->initial);
 }

@@ -10,6 +10,7 @@
  *                        material; motion { ... } ... } }
  *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove; }
  *     insert    { NAME { type lattice|random|list|table|stream; ... } }
+ *     shapes    { NAME { spheres ((x y z r) ...); } }          rigid bodies of several spheres
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
  *     start     { snapshot "FILE"; SCALAR VALUE; }             instead of insert
  *     bonds     { pairs (ID ID ...); }                         for an effect with listed bonds
@@ -33,6 +34,7 @@
 #include "sources/stream.h"
 #include "particles/domain.h"
 #include "particles/applied_forces.h"
+#include "particles/clump_shape.h"
 #include "laws/interaction_table.h"
 #include "particles/scalar_entry.h"
 #include "walls/walls.h"
@@ -50,6 +52,7 @@ struct dem_scene
     struct dem_scalar_entry start_scalar[DEM_SCALARS];    /* of its particles, where given */
     int start_frozen;                      /* 1: freeze them, 0: free them, -1: as they are */
     struct dem_uniform_fluid fluid;
+    struct dem_clump_shapes shapes;        /* templates of rigid bodies */
     struct dem_insertion insertion;        /* groups of particles to be placed */
     struct dem_streams streams;            /* streams and outlets */
     struct dem_initial_particles initial;  /* particles of all groups, once placed */

@@ -184,6 +184,29 @@ static int check_bodies(const struct dem_walls *w, const struct dem_dict *dict, 
     return DEM_OK;
 }
 
+/* wear { coefficient; hardness; } of triangles. */
+static int read_wear(const struct dem_dict *dict, struct dem_wall *of)
+{
+    const struct dem_dict *wear;
+    double coefficient, hardness;
+
+    DEM_TRY(dem_dict_sub_if(dict, "wear", &wear));
+    if (!wear)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(dem_dict_number(wear, "coefficient", "1", &coefficient));
+    DEM_TRY(dem_dict_number(wear, "hardness", "Pa", &hardness));
+    DEM_REQUIRE(coefficient >= 0.0 && hardness > 0.0, DEM_ERROR_INPUT,
+                "%s: coefficient %g and hardness %g Pa; give numbers above 0", dem_dict_where(wear),
+                coefficient, hardness);
+    DEM_REQUIRE(of->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
+                "%s: wall %s has no triangles, whose wear could be summed; build it from triangles",
+                dem_dict_where(wear), of->name);
+    of->wear = coefficient/hardness;
+    return DEM_OK;
+}
+
 static int read_wall(void *context, const struct dem_dict *dict)
 {
     const struct wall_reader *const reader = context;
@@ -205,6 +228,8 @@ static int read_wall(void *context, const struct dem_dict *dict)
         w->wall[k].absorbs = absorb ? dem_dict_name(dict) : NULL;
         w->wall[k].frictionless = frictionless;
         w->absorbing += absorb;
+        DEM_TRY(read_wear(dict, &w->wall[k]));
+        w->wearing += w->wall[k].wear > 0.0;
         DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
         DEM_TRY(dem_scene_read_motion(w, k, dict));
         DEM_REQUIRE(!(frictionless && w->wall[k].driven), DEM_ERROR_INPUT,

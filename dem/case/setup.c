@@ -24,6 +24,7 @@
 #include "records/totals.h"
 #include "particles/orientation.h"
 #include "ranks/collect.h"
+#include "records/wall_wear.h"
 #include "step/body_window.h"
 #include "step/neighbor_rebuild.h"
 #include "step/sum_contacts.h"
@@ -228,6 +229,7 @@ static int place_particles(struct dem_case *c)
     DEM_TRY(dem_api_agree(d, dem_api_create_particles(c)));
     dem_orientation_begin(&d->state.particles);
     DEM_TRY(dem_api_agree(d, prepare_physics(c)));
+    DEM_TRY(dem_api_agree(d, dem_api_begin_clumps(d)));
     DEM_TRY(dem_api_agree(d, dem_api_position_mesh_walls(d)));
     if (d->scene.fluid.given || !c->load_path[0])
     {
@@ -238,6 +240,7 @@ static int place_particles(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, dem_energy_balance_open(d->state.energy_balance,
                                                          &d->state.interaction_table)));
     }
+    DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
     DEM_TRY(dem_api_agree(d, distribute(c)));
     DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));

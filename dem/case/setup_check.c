@@ -233,6 +233,7 @@ int dem_api_check_scene(struct dem_case *c)
     struct dem *const d = c->d;
 
     DEM_TRY(dem_dict_refuse_unread(d->dict));
+    DEM_TRY(dem_api_check_clumps(c));
     DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
     if (c->load_path[0])
     {

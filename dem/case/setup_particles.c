@@ -104,6 +104,10 @@ int dem_api_store_initial(struct dem *d, size_t from)
                     (long long)c->particle[k].id, c->particle[k].x[0], c->particle[k].x[1],
                     c->particle[k].x[2]);
         DEM_TRY(dem_particles_add(p, &c->particle[k]));
+        if (c->particle[k].body)
+        {
+            *dem_clump_of(p, p->n - 1) = c->clump[k];
+        }
         for (int m = 0; m < c->scalars; m++)
         {
             dem_scalar_values(p, m)[p->n - 1] = c->scalar[k*(size_t)c->scalars + (size_t)m];
@@ -225,6 +229,7 @@ static unsigned column_groups(const struct dem_case *c)
                     | (c->orientation ? DEM_GROUP_ORIENTATION : 0)
                     | (under_relaxes(c) ? DEM_GROUP_UNDER_RELAXATION : 0)
                     | (c->own_wake ? DEM_GROUP_OWN_WAKE : 0)
+                    | (d->scene.shapes.n > 0 ? DEM_GROUP_CLUMP : 0)
                     | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
@@ -248,7 +253,10 @@ static void remove_added_mass(struct dem_particles *p)
 {
     for (size_t i = 0; i < p->n; i++)
     {
-        p->record[i].inverse_mass = p->record[i].inverse_mass > 0.0 ? 1.0/p->record[i].mass : 0.0;
+        struct dem_particle *const r = &p->record[i];
+        const struct dem_clump *const b = dem_clump_of(p, i);
+
+        r->inverse_mass = r->inverse_mass > 0.0 ? 1.0/(b ? b->mass : r->mass) : 0.0;
     }
 }
 

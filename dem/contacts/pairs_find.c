@@ -121,7 +121,7 @@ static inline int try_pair(struct finder *f, uint32_t owned, uint32_t other)
         me->id != it->id, DEM_ERROR_INPUT,
         "particle %lld reaches its own periodic image; make the domain wider than a diameter and the outer skin",
         (long long)me->id);
-    if ((mirrored && a > b) || 
+    if ((mirrored && a > b) || (me->body && me->body == it->body) ||
         (me->flags & it->flags & DEM_PARTICLE_FROZEN && !f->r->contact_scalars))
     {
         return DEM_OK;

@@ -39,6 +39,7 @@ static int refuse_laws(const struct dem_interaction_table *t, char *why, size_t 
 static const char *wall_reason(const struct dem_wall *w)
 {
     return w->follows_mesh                       ? "follows a mesh"
+           : w->wear > 0.0                       ? "wears"
            : w->triangles > DEM_DEVICE_TRIANGLES ? "has more than 8 million triangles"
                                                  : NULL;
 }
@@ -67,6 +68,7 @@ static const char *run_reason(const struct dem_state *state)
     return dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1 ? "the fluid around particles has eddies"
            : state->interaction_table.parcels.used ? "particles are parcels"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
+           : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
            : state->applied_forces.n > 0           ? "there are forces on chosen particles (forces)"
                                                    : NULL;
 }

@@ -92,6 +92,8 @@ int dem_dict_numbers(const struct dem_dict *d, const char *name, const char *uni
 int dem_dict_int64s(const struct dem_dict *d, const char *name, const int64_t **values, size_t *n);
 int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *unit,
                      const double (**values)[3], size_t *n);
+int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
+                   const double (**values)[4], size_t *n);
 int dem_dict_words(const struct dem_dict *d, const char *name, const char *const **words,
                    size_t *n);
 

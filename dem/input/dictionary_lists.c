@@ -57,6 +57,11 @@ static bool take_vector(struct dem_cursor *c, void *items, size_t i)
     return dem_dict_take_vector(c, ((double(*)[3])items)[i]);
 }
 
+static bool take_four(struct dem_cursor *c, void *items, size_t i)
+{
+    return dem_dict_take_row(c, 4, ((double(*)[4])items)[i]);
+}
+
 static bool take_word(struct dem_cursor *c, void *items, size_t i)
 {
     return dem_dict_take_word(c, (const char **)items + i);
@@ -131,6 +136,20 @@ int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *uni
 
     DEM_TRY(dem_dict_require(d, name, unit, &e));
     DEM_TRY(read_list(e, &vectors, unit, &items, n));
+    *values = items;
+    return DEM_OK;
+}
+
+int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
+                   const double (**values)[4], size_t *n)
+{
+    static const struct kind fours = {"a list of four numbers each ( (x y z r) ... )", take_four,
+                                      sizeof(double[4])};
+    const struct dem_entry *e;
+    void *items;
+
+    DEM_TRY(dem_dict_require(d, name, unit, &e));
+    DEM_TRY(read_list(e, &fours, unit, &items, n));
     *values = items;
     return DEM_OK;
 }

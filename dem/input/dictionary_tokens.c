@@ -92,21 +92,26 @@ bool dem_dict_take_word(struct dem_cursor *c, const char **word)
     return there;
 }
 
-bool dem_dict_take_vector(struct dem_cursor *c, double value[3])
+bool dem_dict_take_row(struct dem_cursor *c, int n, double *value)
 {
     struct dem_cursor ahead = *c;
-    double length = 3.0;
+    double length = n;
     bool good;
 
     dem_dict_take_number(&ahead, &length);    /* OpenFOAM may write 3 ( ... ) */
-    good = length == 3.0 && dem_dict_take_sign(&ahead, '(');
-    for (int i = 0; i < 3; i++)
+    good = length == (double)n && dem_dict_take_sign(&ahead, '(');
+    for (int i = 0; i < n; i++)
     {
         good = good && dem_dict_take_number(&ahead, &value[i]);
     }
     good = good && dem_dict_take_sign(&ahead, ')');
     *c = good ? ahead : *c;
     return good;
+}
+
+bool dem_dict_take_vector(struct dem_cursor *c, double value[3])
+{
+    return dem_dict_take_row(c, 3, value);
 }
 
 void dem_dict_skip_dimensions(struct dem_cursor *c)

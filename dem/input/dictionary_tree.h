@@ -140,6 +140,7 @@ struct dem_cursor
 };
 bool dem_dict_take_sign(struct dem_cursor *c, char sign);
 bool dem_dict_take_number(struct dem_cursor *c, double *value);
+bool dem_dict_take_row(struct dem_cursor *c, int n, double *value);    /* n numbers in ( ) */
 bool dem_dict_take_vector(struct dem_cursor *c, double value[3]);
 bool dem_dict_take_word(struct dem_cursor *c, const char **word);
 /* [0 1 -1 0 0 0 0], maybe with a name in front */

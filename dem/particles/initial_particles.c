@@ -15,6 +15,7 @@ void dem_initial_particles_free(struct dem_initial_particles *c)
 {
     dem_memory_free(c->particle);
     dem_memory_free(c->scalar);
+    dem_memory_free(c->clump);
     dem_memory_free(c->group);
     memset(c, 0, sizeof *c);
 }
@@ -23,9 +24,11 @@ void dem_initial_particles_release(struct dem_initial_particles *c)
 {
     dem_memory_free(c->particle);
     dem_memory_free(c->scalar);
+    dem_memory_free(c->clump);
     c->particle = NULL;
     c->scalar = NULL;
-    c->n = c->capacity = c->scalar_capacity = 0;
+    c->clump = NULL;
+    c->n = c->capacity = c->scalar_capacity = c->clump_capacity = 0;
 }
 
 void dem_initial_particles_have_scalars(struct dem_initial_particles *c,
@@ -105,6 +108,11 @@ int dem_initial_particles_add(struct dem_initial_particles *c, struct dem_partic
 
         DEM_TRY(DEM_GROW(c->scalar, c->scalar_capacity, c->n*each));
         memcpy(dem_initial_particles_last_scalars(c), c->default_scalar, each*sizeof *c->scalar);
+    }
+    if (c->has_clumps)
+    {
+        DEM_TRY(DEM_GROW(c->clump, c->clump_capacity, c->n));
+        memset(&c->clump[c->n - 1], 0, sizeof *c->clump);
     }
     return DEM_OK;
 }

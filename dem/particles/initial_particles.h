@@ -10,6 +10,7 @@
 #define DEM_PARTICLES_INITIAL_PARTICLES_H
 
 #include "laws/interaction_table.h"
+#include "particles/clump.h"
 #include "particles/particles.h"
 
 /* summary of one group of the scene, for the plan */
@@ -33,6 +34,9 @@ struct dem_initial_particles
     int scalars;                  /* values per particle in the next array, from the table */
     double *scalar, default_scalar[DEM_SCALARS];
     size_t scalar_capacity;
+    int has_clumps;               /* 1: there are shapes; the body of each particle: */
+    struct dem_clump *clump;
+    size_t clump_capacity;
     int64_t next_id;
     size_t groups, group_capacity;
     struct dem_group_summary *group;

@@ -25,7 +25,7 @@ struct dem_particle
     int64_t id;
     uint16_t material, flags;
     uint32_t image;                /* crossings of periodic faces, 10 bits per axis */
-    double unused;                 /* keeps the size; stored in snapshots */
+    int64_t body;                  /* 1 + id of the first sphere of its clump; 0: none (clump.h) */
 };
 _Static_assert(sizeof(struct dem_particle) == 128, "a particle record is two cache lines");
 
@@ -58,8 +58,15 @@ enum dem_column_group
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
     DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
     DEM_GROUP_OUTLETS = 8192,         /* outlets that are regions */
+    DEM_GROUP_CLUMP = 32768,          /* rigid bodies of several spheres */
     DEM_GROUP_OWN_WAKE = 16384,       /* coupling that subtracts a particle's own wake */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
+};
+
+enum
+{
+    DEM_CLUMP_SPHERES = 256,          /* limit of the spheres of a clump */
+    DEM_CLUMP_WIDTH = 20              /* numbers of its column */
 };
 
 enum dem_column_name
@@ -113,8 +120,9 @@ enum dem_column_name
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see particles/orientation.h */
     DEM_COLUMN_CHECKED_POSITION,         /* m, 1 4: at the last check of outlets
                                             (sources/outlet_path.c) */
+    DEM_COLUMN_CLUMP,                    /* the body of a sphere: struct dem_clump */
     DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
-    DEM_FURTHER_COLUMNS = 28,            /* limit of their number */
+    DEM_FURTHER_COLUMNS = 27,            /* limit of their number */
     DEM_BATCH_COLUMNS = 4                /* limit of those that fill columns of batches */
 };
 

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "particles/applied_forces.h"
+#include "particles/clump.h"
 #include "particles/domain.h"
 #include "ranks/halo.h"
 #include "ranks/wall_store.h"
@@ -109,6 +110,8 @@ struct dem_state
     struct dem_limits limits;
     /* of the scene, on chosen particles */
     struct dem_applied_forces applied_forces;
+    /* rigid bodies of several spheres */
+    struct dem_clumps clumps;
     struct dem_backup backup;
     struct dem_load_balance load_balance;
 

@@ -112,7 +112,7 @@ static int select_ghosts(struct dem_halo *h, const struct dem_particles *p,
 
     h->send_ranks = 0;
     dem_messages_clear(&h->out);
-    DEM_TRY(dem_halo_find_neighbors(h, d, 2.0*max_radius + reach));
+    DEM_TRY(dem_halo_find_neighbors(h, d, 2.0*max_radius + reach + 2.0*h->clump_reach));
     for (int k = 0; k < h->neighbors; k++)
     {
         const int to_rank = h->neighbor[k];
@@ -122,7 +122,7 @@ static int select_ghosts(struct dem_halo *h, const struct dem_particles *p,
         for (size_t i = 0; i < p->n; i++)
         {
             if (box_in_reach(d, p->record[i].x, box[0], box[1],
-                             p->record[i].radius + max_radius + reach))
+                             p->record[i].radius + max_radius + reach + h->clump_reach))
             {
                 DEM_TRY(DEM_GROW(all->index, all->capacity, count + 1));
                 all->index[count++] = (uint32_t)i;

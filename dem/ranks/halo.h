@@ -41,6 +41,8 @@ struct dem_halo_route
 struct dem_halo
 {
     struct dem_decomposition *decomposition;
+    double clump_reach;                   /* m  how far owned spheres of clumps may lie outside the
+                                             subdomain (particles/clump.h) */
     struct dem_messages out, in;
     int neighbors, *neighbor;             /* neighbor ranks, ascending */
     int send_ranks, receive_ranks;        /* number of ranks to send to, to receive from */

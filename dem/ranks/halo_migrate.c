@@ -11,6 +11,7 @@
 #include "ranks/halo.h"
 #include "core/memory.h"
 #include "core/sort.h"
+#include "particles/clump.h"
 #include <string.h>
 
 enum
@@ -76,7 +77,7 @@ static int destinations(struct dem_halo *h, const struct dem_particles *p,
     *leaving = 0;
     for (size_t i = 0; i < p->n; i++)
     {
-        const int to = dem_decomposition_owner(h->decomposition, p->record[i].x);
+        const int to = dem_decomposition_owner(h->decomposition, dem_clump_home(p, i));
 
         owner[i] = to == me ? -1 : to;
         *leaving += to != me;

@@ -3,7 +3,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "core/vec.h"
 #include "records/energy_balance.h"
 #include "records/totals.h"
 #include "ranks/dem_state.h"
@@ -26,11 +25,11 @@ static void kinetic_energies(const struct dem_state *p, double value[2])
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
-        const double inertia = 0.4*r->mass*r->radius*r->radius;
+        struct dem_particle_share s;
 
-        dem_sum_add(&sum[0], 0.5*r->mass*dem_vec_dot(r->v, r->v));
-        dem_sum_add(&sum[1], 0.5*inertia*dem_vec_dot(r->w, r->w));
+        dem_particle_share(&p->particles, i, &s);
+        dem_sum_add(&sum[0], s.kinetic[0]);
+        dem_sum_add(&sum[1], s.kinetic[1]);
     }
     dem_totals_reduce_sums(p, sum, 2, value);
 }

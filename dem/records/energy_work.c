@@ -31,9 +31,11 @@ static void gravity_work(struct dem_state *p, double dt)
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+        const double mass = !b ? r->mass : dem_clump_counts(r) ? b->mass : 0.0;
 
         dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY],
-                               r->mass*dem_vec_dot(g, r->v)*dt);
+                               mass*dem_vec_dot(g, b ? b->v : r->v)*dt);
     }
 }
 
@@ -97,17 +99,20 @@ void dem_energy_balance_after_sweep(struct dem_state *p, double dt)
    contacts. */
 void dem_energy_balance_particle_out(struct dem_state *p, const struct dem_particle *r, double late)
 {
-    const double inertia = 0.4*r->mass*r->radius*r->radius;
+    const size_t i = (size_t)(r - p->particles.record);
+    const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+    const double inverse = b ? 1.0/b->mass : r->inverse_mass;
+    struct dem_particle_share s;
     double v[3];
 
+    dem_particle_share(&p->particles, i, &s);
     for (int k = 0; k < 3; k++)
     {
-        v[k] = r->v[k] + late*r->mass*r->inverse_mass*p->energy_balance->gravity[k];
+        v[k] = (b ? b->v : r->v)[k] + late*s.mass*inverse*p->energy_balance->gravity[k];
     }
     dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT],
-                           0.5*r->mass*dem_vec_dot(v, v) +
-                               0.5*inertia*dem_vec_dot(r->w, r->w));
-    dem_energy_balance_add_content(p, (size_t)(r - p->particles.record), 1.0,
+                           0.5*s.mass*dem_vec_dot(v, v) + s.kinetic[1]);
+    dem_energy_balance_add_content(p, i, 1.0,
                                    &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_OUT]);
 }
 

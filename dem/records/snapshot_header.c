@@ -13,7 +13,7 @@
 const char dem_snapshot_magic[8] = "SUNADEM";
 const uint64_t dem_snapshot_order = 0x0102030405060708u;
 
-static const int64_t max_width = 16;    /* of a column; the widest has 10 numbers */
+static const int64_t max_width = 24;    /* of a column; the widest has 20 numbers */
 
 void dem_snapshot_slice(const struct dem_decomposition *q, int64_t n, int64_t *first,
                         int64_t *count)

@@ -51,8 +51,11 @@ int dem_snapshot_validate_particle(const char *path, const struct dem_snapshot_h
         {"inverse mass [1/kg]", p.inverse_mass,
          frozen ? p.inverse_mass == 0.0 : p.inverse_mass > 0.0 && p.inverse_mass*p.mass < 1.0 + 1e-9},
         {"inverse moment of inertia [1/(kg m2)]", p.inverse_inertia,
-         frozen ? p.inverse_inertia == 0.0 : fabs(turning - 1.0) < 1e-9},
-        {"unused number", p.unused, isfinite(p.unused)},
+         frozen   ? p.inverse_inertia == 0.0
+         : p.body ? p.inverse_inertia > 0.0
+                  : fabs(turning - 1.0) < 1e-9},
+        {"the first id of its clump", (double)p.body,
+         p.body == 0 || (p.body > 0 && p.id >= p.body - 1 && p.id - p.body < DEM_CLUMP_SPHERES - 1)},
     };
 
     for (size_t k = 0; k < sizeof check/sizeof *check; k++)

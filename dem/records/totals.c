@@ -36,13 +36,6 @@ enum
     SUMS = 8                                              /* of a tally */
 };
 
-static double kinetic(const struct dem_particle *r)
-{
-    const double inertia = 0.4*r->mass*r->radius*r->radius;
-
-    return 0.5*r->mass*dem_vec_dot(r->v, r->v) + 0.5*inertia*dem_vec_dot(r->w, r->w);
-}
-
 double dem_totals_scalar(const struct dem_state *p, int k)
 {
     const double *const value = dem_scalar_values(&p->particles, k);
@@ -80,21 +73,29 @@ int64_t dem_totals_moving(const struct dem_state *p, double energy)
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        n += kinetic(&p->particles.record[i]) > energy;
+        struct dem_particle_share s;
+
+        dem_particle_share(&p->particles, i, &s);
+        n += s.kinetic[0] + s.kinetic[1] > energy;
     }
     dem_collect_sum_int64(&p->decomposition, &n, 1);
     return n;
 }
 
-static void add_particle(struct dem_sum sum[SUMS], const struct dem_particle *r)
+static void add_particle(struct dem_sum sum[SUMS], const struct dem_state *p, size_t i)
 {
-    dem_sum_add(&sum[0], kinetic(r));
+    const struct dem_particle *const r = &p->particles.record[i];
+    struct dem_particle_share s;
+
+    dem_particle_share(&p->particles, i, &s);
+    dem_sum_add(&sum[0], s.kinetic[0] + s.kinetic[1]);
     for (int k = 0; k < 3; k++)
     {
-        dem_sum_add(&sum[1 + k], r->mass*r->v[k]);
+        dem_sum_add(&sum[1 + k], s.momentum[k]);
     }
-    dem_sum_add(&sum[4], dem_particle_volume(r));
-    dem_sum_add(&sum[5], r->mass);
+    dem_sum_add(&sum[4], r->body ? r->mass/p->interaction_table.material[r->material].density
+                                 : dem_particle_volume(r));
+    dem_sum_add(&sum[5], s.mass);
     dem_sum_add(&sum[6], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 2.0*r->radius);
     dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
 }
@@ -140,7 +141,7 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        add_particle(sum, &p->particles.record[i]);
+        add_particle(sum, p, i);
     }
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_interaction_table_gravity(&p->interaction_table, g);

@@ -257,12 +257,14 @@ int dem_vtk_write_lines(const struct dem_file_ranks *by, const char *path, int64
     return write_cells(by, path, n, columns, count, 2);
 }
 
-int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall)
+int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners, const int64_t *wall,
+                            const double *wear)
 {
     const struct dem_vtk_column columns[] = {
         {"points", corners, 9*sizeof *corners, DEM_VTK_DOUBLE, 9},
         {"wall", wall, sizeof *wall, DEM_VTK_INT64, 1},
+        {"wear", wear, sizeof *wear, DEM_VTK_DOUBLE, 1},
     };
 
-    return write_cells(NULL, path, n, columns, 2, 3);
+    return write_cells(NULL, path, n, columns, wear ? 3 : 2, 3);
 }

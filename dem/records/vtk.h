@@ -50,9 +50,10 @@ struct dem_vtk_column
 int dem_vtk_write(const struct dem_file_ranks *, const char *path, int64_t n,
                   const struct dem_vtk_column *columns, int count);
 
-/* Not collective. n triangles, 9 coordinates each [m], and the wall number of each. */
+/* Not collective. n triangles, 9 coordinates each [m], the wall number of each, and the depth [m] of its
+   wear, or NULL. */
 int dem_vtk_write_triangles(const char *path, int64_t n, const double *corners,
-                            const int64_t *wall);
+                            const int64_t *wall, const double *wear);
 
 /* Collective, like dem_vtk_write, for n lines: the first column has six coordinates, both ends
    [m]; the other columns belong to the lines. */

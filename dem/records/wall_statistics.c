@@ -16,6 +16,7 @@ void dem_wall_statistics_free(struct dem_wall_statistics *b)
     dem_memory_free(b->sum);
     dem_memory_free(b->saved);
     dem_memory_free(b->work);
+    dem_memory_free(b->wear);
     memset(b, 0, sizeof *b);
 }
 

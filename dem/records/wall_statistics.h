@@ -16,12 +16,14 @@
 #include "core/binned_sum.h"
 
 struct dem_state;
+struct dem_wear_sum;
 
 struct dem_wall_statistics
 {
     struct dem_binned_sum *sum;    /* per wall: N s, N m s about the origin; NULL: not asked for */
     int walls;
     struct dem_sum *work;          /* per wall: J on particles */
+    struct dem_wear_sum *wear;     /* per triangle of all walls and ranks (wall_wear.h); NULL: none */
     struct dem_binned_sum *saved;  /* N, N m: saved force of the last sweep,
                                      its rows are gone; NULL: rows exist */
 };

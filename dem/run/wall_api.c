@@ -10,6 +10,7 @@
 #include "ranks/collect.h"
 #include "records/totals.h"
 #include "records/wall_statistics.h"
+#include "records/wall_wear.h"
 #include <math.h>
 #include <string.h>
 
@@ -57,11 +58,16 @@ int dem_wall_set_load(struct dem *d, const char *name, const double load[3])
     return DEM_OK;
 }
 
-int dem_wall_work(struct dem *d, int wall, double *work)
+static int require(const struct dem *d, int wall, const char *call)
 {
     DEM_REQUIRE(wall >= 0 && wall < d->state.walls.walls, DEM_ERROR_INPUT,
-                "dem_wall_work: wall %d, but there are %d; numbers begin at 0", wall,
-                d->state.walls.walls);
+                "%s: wall %d, but there are %d; numbers begin at 0", call, wall, d->state.walls.walls);
+    return DEM_OK;
+}
+
+int dem_wall_work(struct dem *d, int wall, double *work)
+{
+    DEM_TRY(require(d, wall, "dem_wall_work"));
     DEM_REQUIRE(d->state.wall_statistics->sum, DEM_ERROR_STATE,
                 "dem_wall_work comes after dem_wall_impulse_reset");
     *work = dem_totals_wall_work(&d->state, wall);
@@ -76,4 +82,15 @@ int dem_wall_axis(const struct dem *d, int wall, double origin[3], double axis[3
     memset(axis, 0, 3*sizeof *axis);
     axis[2] = 1.0;
     return known && dem_walls_axis(&d->state.walls, wall, origin, axis);
+}
+
+int dem_wall_wears(const struct dem *d, int wall)
+{
+    return wall >= 0 && wall < d->state.walls.walls && d->state.walls.wall[wall].wear > 0.0;
+}
+
+int dem_wall_wear(struct dem *d, int wall, double *volume)
+{
+    DEM_TRY(require(d, wall, "dem_wall_wear"));
+    return dem_wall_wear_volumes(&d->state, wall, volume);
 }

@@ -205,23 +205,32 @@ int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_p
                                double late)
 {
     struct dem_flows *const f = p->flows;
+    const size_t i = (size_t)(q - p->particles.record);
+    const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+    const double inverse = b ? 1.0/b->mass : q->inverse_mass;
+    struct dem_particle_share share;
     double gravity[3], v[3];
 
+    if (!dem_clump_counts(q))
+    {
+        return DEM_OK;    /* the first sphere of its body counts */
+    }
+    dem_particle_share(&p->particles, i, &share);
     DEM_TRY(DEM_GROW(f->departure, f->departure_capacity, f->departures + 1));
     struct dem_departure *const new = &f->departure[f->departures++];
 
     dem_interaction_table_gravity(&p->interaction_table, gravity);
     *new = (struct dem_departure){.id = q->id,
                                   .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow,
-                                  .mass = q->mass};
+                                  .mass = share.mass};
     for (int k = 0; k < 3; k++)
     {
         /* m/(m + added mass): slower fall */
-        v[k] = q->v[k] + late*q->mass*q->inverse_mass*gravity[k];
-        new->momentum[k] = q->mass*v[k];
+        v[k] = (b ? b->v : q->v)[k] + late*share.mass*inverse*gravity[k];
+        new->momentum[k] = share.mass*v[k];
     }
-    new->energy = 0.5*q->mass*dem_vec_dot(v, v) +
-                  0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
+    new->energy = 0.5*share.mass*dem_vec_dot(v, v) +
+                  (b ? share.kinetic[1] : 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w));
     return DEM_OK;
 }
 

@@ -13,6 +13,7 @@
 #ifndef DEM_SOURCES_INSERT_H
 #define DEM_SOURCES_INSERT_H
 
+#include "particles/clump_shape.h"
 #include "particles/initial_particles.h"
 #include "sources/insertion_limits.h"
 #include "input/dictionary.h"
@@ -27,6 +28,7 @@ struct dem_insertion
     struct dem_insert_group *group;
     struct dem_insertion_regions regions;  /* to which groups point; before they are read */
     const struct dem_domain *domain;       /* likewise */
+    const struct dem_clump_shapes *shapes; /* likewise */
 };
 
 /* 1 when a group of `insert` comes in during the run (sources/stream.h). */

@@ -35,8 +35,13 @@ static struct dem_particle make_particle(const struct dem_insert_group *b,
 
 /* Add particle `number` of the group, with its scalars. */
 static int add_particle(struct dem_initial_particles *c, const struct dem_insert_group *b,
-                        const struct dem_particle *p, int64_t number)
+                        const struct dem_interaction_table *r, const struct dem_particle *p,
+                        int64_t number)
 {
+    if (b->clump)
+    {
+        return dem_insert_group_add_clump(c, b, r, p, number);
+    }
     DEM_TRY(dem_initial_particles_add(c, *p, b->where));
     for (int k = 0; k < c->scalars; k++)
     {
@@ -95,7 +100,7 @@ static int take_sites(struct dem_insert_group *b, const struct dem_decomposition
 static int place_sites(struct dem_initial_particles *c, const struct dem_insert_group *b,
                        const struct dem_interaction_table *r)
 {
-    const int64_t first = c->next_id + b->site_first;
+    const int64_t ids = dem_insert_group_ids(b), first = c->next_id + b->site_first*ids;
 
     for (int64_t k = 0; k < b->site_count; k++)
     {
@@ -104,8 +109,8 @@ static int place_sites(struct dem_initial_particles *c, const struct dem_insert_
 
         dem_insert_group_site(b, b->site[k], x);
         p = make_particle(b, r, x, b->site_first + k);
-        p.id = first + k;
-        DEM_TRY(add_particle(c, b, &p, b->site_first + k));
+        p.id = first + k*ids;
+        DEM_TRY(add_particle(c, b, r, &p, b->site_first + k));
     }
     return DEM_OK;
 }
@@ -147,8 +152,8 @@ static int place_run(struct dem_initial_particles *c, const struct dem_insert_gr
             dem_insert_group_site(b, m, x);
         }
         p = make_particle(b, r, b->type == DEM_INSERT_LATTICE ? x : b->positions[m], m);
-        p.id = b->ids ? b->ids[m] : first + m;
-        DEM_TRY(add_particle(c, b, &p, m));
+        p.id = b->ids ? b->ids[m] : first + m*dem_insert_group_ids(b);
+        DEM_TRY(add_particle(c, b, r, &p, m));
     }
     return DEM_OK;
 }
@@ -177,8 +182,8 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
         {
             struct dem_particle new = make_particle(b, r, sphere->x, sphere->id);
 
-            new.id = first + sphere->id;
-            status = add_particle(c, b, &new, sphere->id);
+            new.id = first + sphere->id*dem_insert_group_ids(b);
+            status = add_particle(c, b, r, &new, sphere->id);
         }
     }
     dem_packing_spheres_free(&s);
@@ -201,7 +206,14 @@ static int summarize(struct dem_initial_particles *c, const struct dem_insert_gr
     const double density = r->material[b->material].density;
 
     DEM_TRY(dem_initial_particles_begin_group(c, dem_dict_name(b->dict)));
-    for (int64_t m = 0; m < (b->diameters ? b->count : 1); m++)
+    for (int64_t m = 0; b->clump && m < dem_insert_group_ids(b); m++)
+    {
+        const double d = 2.0*b->clump->sphere[m][3];
+
+        dem_initial_particles_count(c, b->count, d, density*b->clump->volume/b->clump->solid*
+                                                    dem_sphere_volume(0.5*d), b->material);
+    }
+    for (int64_t m = 0; !b->clump && m < (b->diameters ? b->count : 1); m++)
     {
         const double d = dem_insert_group_diameter(b, m);
 
@@ -216,6 +228,7 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
                      const struct dem_decomposition *q)
 {
     dem_initial_particles_have_scalars(c, r);
+    c->has_clumps = i->shapes && i->shapes->n > 0;
     for (size_t k = 0; k < i->n; k++)
     {
         struct dem_insert_group *const b = &i->group[k];
@@ -226,7 +239,7 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
 
         /* memory for all of them at once, so that too many fail before any is placed */
         status = status ? status
-                        : DEM_GROW(c->particle, c->capacity, c->n + (size_t)(b->count/q->ranks));
+                        : DEM_GROW(c->particle, c->capacity, c->n + (size_t)(b->count/q->ranks*dem_insert_group_ids(b)));
         status =
             dem_collect_agree(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
                                                            (long long)b->count)

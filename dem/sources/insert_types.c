@@ -66,6 +66,18 @@ static int read_region(struct dem_insert_group *b, const struct dem_domain *d,
     return dem_insertion_shape_check_fits(&b->shape, 0.5*sizes->min, b->where);
 }
 
+/* The diameter of a body is that of the sphere that holds it in any orientation. */
+static int read_sizes(struct dem_insert_group *b, struct dem_size_distribution *sizes)
+{
+    if (b->clump)
+    {
+        *sizes = (struct dem_size_distribution){.min = 2.0*b->clump->bound,
+                                                .max = 2.0*b->clump->bound};
+        return DEM_OK;
+    }
+    return dem_size_distribution_read(sizes, b->dict, b->ratio);
+}
+
 /* ---- lattice --------------------------------------------------------------------------------- */
 
 static int read_lattice_box(struct dem_insert_group *b, const struct dem_domain *d)
@@ -78,7 +90,7 @@ static int read_lattice_box(struct dem_insert_group *b, const struct dem_domain 
                 "%s: a lattice has one diameter and fills a box; use type random, or diameter, min "
                 "and max",
                 b->where);
-    DEM_TRY(dem_size_distribution_read(&sizes, b->dict, b->ratio));
+    DEM_TRY(read_sizes(b, &sizes));
     b->diameter = sizes.min;
     return read_region(b, d, &sizes);
 }
@@ -106,7 +118,7 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
 
     DEM_TRY(read_lattice_box(b, d));
     DEM_TRY(read_pitch(b));
-    const double one = pi/6.0*b->diameter*b->diameter*b->diameter;
+    const double one = b->clump ? b->clump->volume : pi/6.0*b->diameter*b->diameter*b->diameter;
 
     DEM_TRY(dem_amount_read(&amount, b, r, one));
     for (int k = 0; k < 3; k++)
@@ -147,7 +159,7 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
 static int read_drawn(struct dem_insert_group *b, const struct dem_interaction_table *r,
                       const struct dem_domain *d, const struct dem_size_distribution *sizes)
 {
-    const double mean = dem_size_distribution_mean_volume(sizes);
+    const double mean = b->clump ? b->clump->volume : dem_size_distribution_mean_volume(sizes);
     struct dem_amount amount;
 
     DEM_TRY(read_region(b, d, sizes));
@@ -167,7 +179,7 @@ static int read_random(struct dem_insert_group *b, const struct dem_interaction_
 {
     struct dem_size_distribution sizes;
     double volume = 0.0;
-    int status = dem_size_distribution_read(&sizes, b->dict, b->ratio);
+    int status = read_sizes(b, &sizes);
 
     status = status ? status : read_drawn(b, r, d, &sizes);
     dem_size_distribution_free(&sizes);
@@ -188,6 +200,11 @@ static int read_diameters(struct dem_insert_group *b, size_t n)
 {
     size_t diameters;
 
+    if (b->clump)
+    {
+        b->diameter = 2.0*b->clump->bound;
+        return DEM_OK;
+    }
     if (!dem_dict_has(b->dict, "diameters"))
     {
         DEM_TRY(dem_dict_number(b->dict, "diameter", "m", &b->diameter));

@@ -4,7 +4,7 @@
  *
  * The column DEM_COLUMN_CHECKED_POSITION holds this position and the image counter that belongs to
  * it. With the counters the displacement is exact along periodic axes, whenever the particle was
- * wrapped. The line leads through images of the domain; the part in each is tested there, so an
+ * wrapped. Of a rigid body of several spheres the centre counts. The line leads through images of the domain; the part in each is tested there, so an
  * outlet acts where it lies in the domain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -109,6 +109,7 @@ int dem_flows_outlet(const struct dem_state *p, size_t i)
     {
         return DEM_FLOW_NONE;
     }
+    memcpy(q.x, dem_clump_home(&p->particles, i), sizeof q.x);
     dem_domain_wrap(&p->domain, &q);
     const int holds = dem_flows_outlet_at(p->flows, q.x);
 
@@ -121,8 +122,12 @@ int dem_flows_outlet(const struct dem_state *p, size_t i)
     {
         const uint32_t image = (uint32_t)(column[LAST*i + 3] - 1.0);
 
-        step[k] = q.x[k] - column[LAST*i + k] +
-                  dem_image_difference(q.image, image, (int)k)*p->domain.length[k];
+        step[k] = q.x[k] - column[LAST*i + k];
+        /* the centre of a body has no counter; it moves by less than half a box between checks */
+        step[k] += q.body == 0 ? dem_image_difference(q.image, image, (int)k)*p->domain.length[k]
+                   : p->domain.periodic[k]
+                       ? -p->domain.length[k]*rint(step[k]/p->domain.length[k])
+                       : 0.0;
         from[k] = q.x[k] - step[k];
     }
     return outlet_on_path(p->flows, &p->domain, from, step);
@@ -136,7 +141,7 @@ void dem_flows_end_check(struct dem_state *p)
     {
         const struct dem_particle *const q = &p->particles.record[i];
 
-        memcpy(column + LAST*i, q->x, sizeof q->x);
+        memcpy(column + LAST*i, dem_clump_home(&p->particles, i), sizeof q->x);
         column[LAST*i + 3] = 1.0 + (double)q->image;
     }
 }

@@ -120,6 +120,9 @@ static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
     memset(s, 0, sizeof *s);
     snprintf(s->where, sizeof s->where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(dem_dict_word(dict, "type", &type));
+    DEM_REQUIRE(!dem_dict_has(dict, "shape"), DEM_ERROR_INPUT,
+                "%s: clumps cannot enter by a stream yet; insert them at the start, or leave shape out",
+                s->where);
     DEM_TRY(read_name(s->name, dict, s->where));
     DEM_TRY(dem_material_entry_read(dict, r, &s->material));
     DEM_TRY(dem_dict_int64_or(dict, "seed", 1, &s->seed));

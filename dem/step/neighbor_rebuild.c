@@ -83,10 +83,10 @@ int dem_neighbor_check_removals(struct dem_state *state, int *removes)
     }
     for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const q = &state->particles.record[i];
-
-        outside = state->domain.remove && !dem_domain_contains(&state->domain, q->x) ? 1.0
-                                                                                      : outside;
+        outside = state->domain.remove && !dem_domain_contains(&state->domain,
+                                                               dem_clump_home(&state->particles, i))
+                      ? 1.0
+                      : outside;
         outside = outlets_due && dem_flows_outlet(state, i) != DEM_FLOW_NONE ? 1.0 : outside;
     }
     DEM_TRY(dem_agree_max(state, DEM_OK, &outside, 1));
@@ -108,6 +108,8 @@ static int wrap_and_remove(struct dem_state *state, int weighted)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&state->domain, &record[i]);
+        dem_clump_wrap(&state->domain, &state->particles, i);
+        const double *const home = dem_clump_home(&state->particles, i);
         const int outlet = dem_flows_outlet(state, i);
         const int absorbed = state->walls.absorbing && !state->flows->asked
                                  ? dem_flows_absorbed(state->flows, &record[i])
@@ -121,7 +123,7 @@ static int wrap_and_remove(struct dem_state *state, int weighted)
         {
             status = remove_at_outlet(state, i, outlet);
         }
-        else if (outlet != DEM_FLOW_NONE || dem_domain_contains(&state->domain, record[i].x) ||
+        else if (outlet != DEM_FLOW_NONE || dem_domain_contains(&state->domain, home) ||
                  (!dem_neighbor_removal_is_due(state) &&
                   isfinite(record[i].x[0] + record[i].x[1] + record[i].x[2])))
         {
@@ -271,6 +273,7 @@ static int build_lists(struct dem_state *state, int status)
     dem_walls_wrap(&state->walls);
     status = hold_triangles(state, status);
     status = status ? status : dem_pairs_order(&state->pairs, &state->particles);
+    status = status ? status : dem_clumps_index(&state->clumps, &state->particles);
     status = dem_halo_build(&state->halo, status, &state->particles, &state->domain,
                             state->pairs.max_radius, state->pairs.outer);
     status = status ? status

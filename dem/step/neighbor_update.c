@@ -163,6 +163,28 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
 
 /* ---- absorbing walls ------------------------------------------------------------------------- */
 
+/* A rigid body is absorbed as a whole, by the wall that its first marked sphere touches. */
+static void mark_bodies(struct dem_state *state)
+{
+    const struct dem_clumps *const c = &state->clumps;
+    struct dem_particle *const record = state->particles.record;
+
+    for (size_t body = 0; body < c->n; body++)
+    {
+        unsigned mark = 0;
+
+        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+        {
+            mark = mark ? mark : record[c->member[k]].flags & DEM_PARTICLE_ABSORBED;
+        }
+        for (size_t k = c->start[body]; k < c->start[body + 1] && mark; k++)
+        {
+            record[c->member[k]].flags =
+                (uint16_t)((record[c->member[k]].flags & 0xffu) | mark);
+        }
+    }
+}
+
 /* Mark the particles that touch a wall with `absorb yes`. Returns 1 when this rank has marked any. */
 static int mark_absorbed(struct dem_state *state)
 {
@@ -183,6 +205,7 @@ static int mark_absorbed(struct dem_state *state)
             marked = 1;
         }
     }
+    mark_bodies(state);
     return marked;
 }
 

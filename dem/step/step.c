@@ -69,6 +69,7 @@ static double drift_particles(struct dem_state *state)
         state->next_drift.done = 0;
         return state->next_drift.max_speed;
     }
+    dem_clumps_drift(&state->clumps, &state->particles, &state->domain, state->dt);
     dem_drift_particles(state->particles.record, state->particles.n, state->dt, state->domain.round,
                         &speeds);
     return dem_drift_max_speed(&speeds);
@@ -192,7 +193,7 @@ static struct due what_is_due(const struct dem_state *state, int last)
     due.backup = state->backup.every > 0 &&
                  state->steps >= state->backup.steps + state->backup.every && !last;
     due.fused = !due.backup && !state->energy_balance->open;
-    due.observed = last || state->window.stopped ||
+    due.observed = last || state->window.stopped || dem_column(&state->particles, DEM_COLUMN_CLUMP) ||
     dem_grid_averages_due(state->averages, state->time);
     return due;
 }
@@ -238,6 +239,18 @@ static int check_scalars(const struct dem_state *state, const struct dem_body_pa
     return dem_scalars_check(&state->particles, &state->interaction_table, when);
 }
 
+/* The velocities of rigid bodies, after the kick of the particles. */
+static void kick_clumps(struct dem_state *state, double kick)
+{
+    double gravity[3];
+
+    if (state->clumps.n > 0)
+    {
+        dem_interaction_table_gravity(&state->interaction_table, gravity);
+        dem_clumps_kick(&state->clumps, &state->particles, gravity, kick);
+    }
+}
+
 /* 5. Most particles are summed already, and in a fused step kicked; the pass knows which. */
 static int sum_and_kick(struct dem_state *state, const struct due *due, struct dem_body_pass *pass,
                         int status)
@@ -274,6 +287,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
         dem_wall_bodies_kick(state, pass->sweep->kick);
     }
     dem_bodies_work_until(pass, state->particles.n);
+    kick_clumps(state, pass->sweep->kick);
     dem_domain_constrain(&state->domain, &state->particles);
     state->next_drift.done = pass->unobserved && pass->sweep->round;
     state->next_drift.max_speed = dem_drift_max_speed(&pass->speeds);
@@ -395,6 +409,7 @@ static void first_kick(struct dem_state *state, double kick)
                                                    ? state->energy_balance
                                                    : NULL,
                              .scalars = scalar_step(state, 0.0)});
+        kick_clumps(state, kick);
     }
     dem_domain_constrain(&state->domain, &state->particles);
     dem_timers_end_phase(state->timers, DEM_PHASE_BODIES);
@@ -444,6 +459,14 @@ static int make_steps(struct dem_state *state)
     return DEM_OK;
 }
 
+/* Particles may have been loaded, restored or removed since the last window. */
+static int index_clumps(struct dem_state *state)
+{
+    return dem_column(&state->particles, DEM_COLUMN_CLUMP)
+               ? dem_agree(state, dem_clumps_index(&state->clumps, &state->particles))
+               : DEM_OK;
+}
+
 int dem_step_window(struct dem_state *state, double dt, int64_t steps)
 {
     /* s  an open window has left velocities ahead by this */
@@ -455,6 +478,7 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
     state->window.steps_before = state->steps;
     state->window.steps = steps;
     dem_timers_begin_advance(state->timers, state->particles.n);
+    DEM_TRY(index_clumps(state));
     dem_walls_move(&state->walls, state->time, 0.0);
     dem_walls_begin_advance(&state->walls, state->window.length);
     dem_bodies_begin_window(&state->particles, &state->interaction_table.bodies);
@@ -477,5 +501,6 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
 int dem_step_continue(struct dem_state *state)
 {
     dem_timers_begin_advance(state->timers, state->particles.n);
+    DEM_TRY(index_clumps(state));
     return make_steps(state);
 }

@@ -48,6 +48,13 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     if (half_kick)
     {
         dem_sweep_bodies(&backup->particles, &state->interaction_table.bodies, half_kick);
+        if (state->clumps.n > 0)
+        {
+            double gravity[3];
+
+            dem_interaction_table_gravity(&state->interaction_table, gravity);
+            dem_clumps_kick(&state->clumps, &backup->particles, gravity, half_kick->kick);
+        }
         dem_domain_constrain(&state->domain, &backup->particles);
     }
     return DEM_OK;

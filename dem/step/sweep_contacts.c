@@ -18,6 +18,7 @@
 #include "records/energy_balance.h"
 #include "records/lost_particles.h"
 #include "records/bonds.h"
+#include "records/wall_wear.h"
 #include <string.h>
 
 /* ---- crossing a wall ------------------------------------------------------------------------- */
@@ -127,6 +128,10 @@ static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
     if (effects->pair.with_wall && state->walls.bodies > 0)
     {
         dem_wall_bodies_add_batch(state, &t->batch, effects, row, rows);
+    }
+    if (effects->pair.with_wall && state->walls.wearing > 0)
+    {
+        DEM_TRY(dem_wall_wear_add(state, &t->batch, row, rows));
     }
     if (effects->past_touching && count_broken(&t->batch) > 0.0)
     {

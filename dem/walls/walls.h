@@ -68,6 +68,8 @@ struct dem_wall
     /* 1: the surface slides in itself (conveyor) */
     int driven;
     struct dem_wall_drive drive;
+    /* 1/Pa: coefficient of wear over hardness; 0: wear is not summed */
+    double wear;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
     /* one for each particle scalar; NULL: insulated for all */
@@ -197,8 +199,8 @@ struct dem_walls
     double path_length;
     /* m: the same since lists were made */
     double since[DEM_MARK_REFERENCES];
-    /* number of walls that absorb particles */
-    int absorbing;
+    /* number of walls that absorb particles; whose wear is summed */
+    int absorbing, wearing;
     /* 1: all walls are flat and at rest, none is driven */
     int all_flat_static;
     /* 1: triangles are given on another rank */

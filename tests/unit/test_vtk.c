@@ -152,7 +152,7 @@ static void triangles(void)
     {
         corner[k] = dem_random_unit(2, (uint64_t)k, 0, 0);
     }
-    TAP_OK(!dem_vtk_write_triangles(path, 2, corner, wall) && !dem_file_load(path, &file, &size),
+    TAP_OK(!dem_vtk_write_triangles(path, 2, corner, wall, NULL) && !dem_file_load(path, &file, &size),
            "two triangles are written");
     const char *const x = find(file, size, "points", "Float64", 3, sizeof corner), *const w =
                                                                                        find(file,

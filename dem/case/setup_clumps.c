@@ -1,0 +1,126 @@
+/*
+ * setup_clumps.c -- what a scene with rigid bodies of several spheres (particles/clump.h) cannot have
+ * yet, and what the set-up has to know of them.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/dem_case.h"
+#include "core/error.h"
+#include "ranks/collect.h"
+#include <math.h>
+
+static int refuse_effects(const struct dem_interaction_table *r)
+{
+    for (int k = 0; k < r->chosen; k++)
+    {
+        const struct dem_effect *const e = r->effect[k];
+
+        DEM_REQUIRE((e->stage != DEM_STAGE_BODY && e->stage != DEM_STAGE_FLUID) ||
+                        e->uniform_acceleration,
+                    DEM_ERROR_INPUT,
+                    "shapes: effects/%s acts on single spheres, gravity alone acts on clumps; leave out "
+                    "one of the two", e->name);
+        DEM_REQUIRE(e->stage != DEM_STAGE_BOND && e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
+                    "shapes: effects/%s does not work with clumps yet; leave out one of the two",
+                    e->name);
+    }
+    return DEM_OK;
+}
+
+/* Entries and calls, and whether they are in use. */
+static int refuse_entries(const struct dem_case *c)
+{
+    const struct dem *const d = c->d;
+    const struct dem_domain *const box = &d->state.domain;
+    const struct
+    {
+        const char *name;
+        int used;
+    } entries[] = {
+        {"domain/flat", box->flat[0] || box->flat[1] || box->flat[2]},
+        {"parcels", d->state.interaction_table.parcels.used},
+        {"a particle scalar", d->state.interaction_table.scalars > 0},
+        {"forces", d->state.applied_forces.n > 0},
+        {"averages", d->scene.averages > 0},
+        {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
+        {"stresses of particles", c->virial},
+        {"a coupled fluid", d->coupled || d->with_fluid},
+    };
+
+    for (size_t k = 0; k < sizeof entries/sizeof *entries; k++)
+    {
+        DEM_REQUIRE(!entries[k].used, DEM_ERROR_INPUT,
+                    "shapes: %s does not work with clumps yet; leave out one of the two",
+                    entries[k].name);
+    }
+    return DEM_OK;
+}
+
+/* A body must not reach its own periodic image. */
+static int check_width(const struct dem *d, const struct dem_clump_shape *s)
+{
+    const struct dem_domain *const box = &d->state.domain;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double least = 3.0*s->bound + d->state.interaction_table.reach;
+
+        DEM_REQUIRE(!box->periodic[k] || box->length[k] >= least, DEM_ERROR_INPUT,
+                    "shapes/%s: the domain is periodic along %c and %g m wide, so that a clump of %g m "
+                    "reaches its own image; make the domain at least %g m wide", s->name, "xyz"[k],
+                    box->length[k], 2.0*s->bound, least);
+    }
+    return DEM_OK;
+}
+
+int dem_api_check_clumps(const struct dem_case *c)
+{
+    const struct dem_clump_shapes *const s = &c->d->scene.shapes;
+
+    for (size_t k = 0; k < s->n; k++)
+    {
+        DEM_TRY(check_width(c->d, &s->shape[k]));
+    }
+    DEM_TRY(s->n > 0 ? refuse_effects(&c->d->state.interaction_table) : DEM_OK);
+    return s->n > 0 ? refuse_entries(c) : DEM_OK;
+}
+
+/* A snapshot may be damaged. */
+static int check_body(const struct dem_particles *p, size_t i)
+{
+    const struct dem_clump *const b = dem_clump_of(p, i);
+
+    DEM_REQUIRE(!b || (b->mass > 0.0 && b->inertia[0] > 0.0 && b->inertia[1] > 0.0 &&
+                       b->inertia[2] > 0.0 &&
+                       fabs(b->q[0]*b->q[0] + b->q[1]*b->q[1] + b->q[2]*b->q[2] + b->q[3]*b->q[3] -
+                            1.0) < 1e-9),
+                DEM_ERROR_FILE,
+                "particle %lld belongs to a clump without mass or orientation: the snapshot is damaged; "
+                "use another one", (long long)p->record[i].id);
+    return DEM_OK;
+}
+
+/* Bodies of a snapshot come with their state, and need the column of it. */
+int dem_api_begin_clumps(struct dem *d)
+{
+    struct dem_state *const p = &d->state;
+    const int column = dem_column(&p->particles, DEM_COLUMN_CLUMP) != NULL;
+    double reach = column ? dem_clumps_reach(&p->particles) : 0.0;
+
+    for (size_t i = 0; i < p->particles.n && column; i++)
+    {
+        DEM_TRY(check_body(&p->particles, i));
+    }
+    for (size_t i = 0; i < p->particles.n && !column; i++)
+    {
+        DEM_REQUIRE(p->particles.record[i].body == 0, DEM_ERROR_INPUT,
+                    "particle %lld of the snapshot is a sphere of a clump, but the scene has no shapes; "
+                    "add those of the run that wrote it", (long long)p->particles.record[i].id);
+    }
+    if (column)
+    {
+        dem_collect_max_double(&p->decomposition, &reach, 1);
+        p->halo.clump_reach = reach;
+    }
+    return dem_collect_status(&p->decomposition);
+}

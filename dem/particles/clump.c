@@ -1,0 +1,350 @@
+/*
+ * clump.c -- moves rigid bodies of several spheres (formulas and source: clump.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "particles/clump.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include "core/sort.h"
+#include "core/vec.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- rotations ------------------------------------------------------------------------------- */
+
+/* v + 2 s q x v + 2 q x (q x v), s and q of the quaternion; `side` -1: the inverse rotation. */
+static void rotate(const double q[4], double side, const double v[3], double out[3])
+{
+    const double axis[3] = {side*q[1], side*q[2], side*q[3]};
+    double once[3], twice[3];
+
+    dem_vec_cross(axis, v, once);
+    dem_vec_cross(axis, once, twice);
+    for (int k = 0; k < 3; k++)
+    {
+        out[k] = v[k] + 2.0*(q[0]*once[k] + twice[k]);
+    }
+}
+
+void dem_clump_rotate(const double q[4], const double v[3], double out[3])
+{
+    rotate(q, 1.0, v, out);
+}
+
+void dem_clump_rotate_back(const double q[4], const double v[3], double out[3])
+{
+    rotate(q, -1.0, v, out);
+}
+
+void dem_clump_product(const double a[4], const double b[4], double out[4])
+{
+    out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
+    out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
+    out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
+    out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
+}
+
+/* Rotate about principal axis k over h [s] with the present angular momentum. */
+static void turn_about(struct dem_clump *b, int k, double h)
+{
+    double body[3], turned[4], by[4] = {1.0, 0.0, 0.0, 0.0};
+
+    dem_clump_rotate_back(b->q, b->momentum, body);
+    const double x = 0.5*h*body[k]/b->inertia[k], s = x*x;
+
+    by[1 + k] = x*(1.0 + s*(1.0/3.0 + s*(2.0/15.0 + s*(17.0/315.0 + s*(62.0/2835.0 +
+                                                                    s*(1382.0/155925.0))))));
+    dem_clump_product(b->q, by, turned);
+    const double scale = 1.0/sqrt(turned[0]*turned[0] + turned[1]*turned[1] + turned[2]*turned[2] +
+                                  turned[3]*turned[3]);
+
+    for (int c = 0; c < 4; c++)
+    {
+        b->q[c] = scale*turned[c];
+    }
+}
+
+void dem_clump_turn(struct dem_clump *b, double dt)
+{
+    turn_about(b, 2, 0.5*dt);
+    turn_about(b, 1, 0.5*dt);
+    turn_about(b, 0, dt);
+    turn_about(b, 1, 0.5*dt);
+    turn_about(b, 2, 0.5*dt);
+}
+
+void dem_clump_spin(const struct dem_clump *b, double w[3])
+{
+    double body[3];
+
+    dem_clump_rotate_back(b->q, b->momentum, body);
+    for (int k = 0; k < 3; k++)
+    {
+        body[k] /= b->inertia[k];
+    }
+    dem_clump_rotate(b->q, body, w);
+}
+
+static void share_of_body(const struct dem_clump *b, struct dem_particle_share *s)
+{
+    double body[3];
+
+    dem_clump_rotate_back(b->q, b->momentum, body);
+    s->mass = b->mass;
+    s->kinetic[0] = 0.5*b->mass*dem_vec_dot(b->v, b->v);
+    for (int k = 0; k < 3; k++)
+    {
+        s->momentum[k] = b->mass*b->v[k];
+        s->kinetic[1] += 0.5*body[k]*body[k]/b->inertia[k];
+    }
+}
+
+void dem_particle_share(const struct dem_particles *p, size_t i, struct dem_particle_share *s)
+{
+    const struct dem_particle *const r = &p->record[i];
+    const struct dem_clump *const b = dem_clump_of(p, i);
+    const double inertia = 0.4*r->mass*r->radius*r->radius;
+
+    *s = (struct dem_particle_share){.mass = 0.0};
+    if (b && dem_clump_counts(r))
+    {
+        share_of_body(b, s);
+    }
+    else if (!b)
+    {
+        s->mass = r->mass;
+        s->kinetic[0] = 0.5*r->mass*dem_vec_dot(r->v, r->v);
+        s->kinetic[1] = 0.5*inertia*dem_vec_dot(r->w, r->w);
+        for (int k = 0; k < 3; k++)
+        {
+            s->momentum[k] = r->mass*r->v[k];
+        }
+    }
+}
+
+/* ---- lists ----------------------------------------------------------------------------------- */
+
+double dem_clumps_reach(const struct dem_particles *p)
+{
+    double reach = 0.0;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        const struct dem_clump *const b = dem_clump_of(p, i);
+
+        reach = b ? fmax(reach, dem_vec_norm(b->offset)) : reach;
+    }
+    return reach;
+}
+
+void dem_clumps_free(struct dem_clumps *c)
+{
+    dem_memory_free(c->start);
+    dem_memory_free(c->member);
+    memset(c, 0, sizeof *c);
+}
+
+/* Sorted by id, the spheres of a body follow each other. */
+static void fill(struct dem_clumps *c, const struct dem_particles *p, size_t members, uint64_t *key,
+                 uint32_t *scratch)
+{
+    size_t k = 0;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        if (p->record[i].body)
+        {
+            key[k] = (uint64_t)p->record[i].id;
+            c->member[k++] = (uint32_t)i;
+        }
+    }
+    dem_sort_keys(key, c->member, members, key + members, scratch);
+    for (k = 0; k < members; k++)
+    {
+        if (k == 0 || p->record[c->member[k]].body != p->record[c->member[k - 1]].body)
+        {
+            c->start[c->n++] = k;
+        }
+    }
+    c->start[c->n] = members;
+}
+
+int dem_clumps_index(struct dem_clumps *c, const struct dem_particles *p)
+{
+    uint32_t *scratch = NULL;
+    uint64_t *key = NULL;
+    size_t members = 0;
+
+    c->n = 0;
+    if (!dem_column(p, DEM_COLUMN_CLUMP))
+    {
+        return DEM_OK;
+    }
+    for (size_t i = 0; i < p->n; i++)
+    {
+        members += p->record[i].body != 0;
+    }
+    DEM_TRY(DEM_GROW(c->start, c->start_capacity, members + 1));
+    DEM_TRY(DEM_GROW(c->member, c->member_capacity, members + 1));
+    int status = DEM_NEW(key, 2*members + 1);
+
+    status = status ? status : DEM_NEW(scratch, members + 1);
+    if (!status)
+    {
+        fill(c, p, members, key, scratch);
+    }
+    dem_memory_free(key);
+    dem_memory_free(scratch);
+    return status;
+}
+
+/* ---- motion ---------------------------------------------------------------------------------- */
+
+static double rounded(const struct dem_domain *d, int k, double value)
+{
+    return (value + d->round[k]) - d->round[k];
+}
+
+/* The displacement [m] that brings sphere i to its place. */
+static void displacement(const struct dem_particles *p, size_t i, const struct dem_domain *d,
+                         double move[3])
+{
+    const struct dem_clump *const b = dem_clump_at(p, i);
+    double arm[3];
+
+    dem_clump_rotate(b->q, b->offset, arm);
+    for (int k = 0; k < 3; k++)
+    {
+        const double to = b->x[k] + rounded(d, k, arm[k]) - p->record[i].x[k];
+
+        move[k] = d->periodic[k] ? to - d->length[k]*rint(to/d->length[k]) : to;
+    }
+}
+
+void dem_clump_wrap(const struct dem_domain *d, const struct dem_particles *p, size_t i)
+{
+    struct dem_clump *const b = dem_clump_of(p, i);
+    struct dem_particle centre = {.radius = 0.0};
+
+    if (b)
+    {
+        memcpy(centre.x, b->x, sizeof b->x);
+        dem_domain_wrap(d, &centre);
+        memcpy(b->x, centre.x, sizeof b->x);
+    }
+}
+
+void dem_clump_put(const struct dem_clump *b, const struct dem_domain *d, struct dem_particle *r)
+{
+    double w[3], arm[3], turning[3];
+
+    dem_clump_rotate(b->q, b->offset, arm);
+    dem_clump_spin(b, w);
+    dem_vec_cross(w, arm, turning);
+    for (int k = 0; k < 3; k++)
+    {
+        r->x[k] = b->x[k] + rounded(d, k, arm[k]);
+        r->v[k] = b->v[k] + turning[k];
+        r->w[k] = w[k];
+    }
+}
+
+/* Write the body of the first sphere to the others. */
+static void share(const struct dem_clumps *c, size_t body, const struct dem_particles *p)
+{
+    const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+
+    for (size_t k = c->start[body] + 1; k < c->start[body + 1]; k++)
+    {
+        struct dem_clump *const to = dem_clump_at(p, c->member[k]);
+
+        memcpy(to->x, b->x, sizeof b->x);
+        memcpy(to->v, b->v, sizeof b->v);
+        memcpy(to->q, b->q, sizeof b->q);
+        memcpy(to->momentum, b->momentum, sizeof b->momentum);
+    }
+}
+
+void dem_clumps_drift(const struct dem_clumps *c, struct dem_particles *p,
+                      const struct dem_domain *d, double dt)
+{
+    for (size_t body = 0; body < c->n; body++)
+    {
+        struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+        double before[3], after[3], move[3];
+
+        dem_clump_spin(b, before);
+        for (int k = 0; k < 3; k++)
+        {
+            b->x[k] += rounded(d, k, dt*b->v[k]);
+        }
+        dem_clump_turn(b, dt);
+        dem_clump_spin(b, after);
+        share(c, body, p);
+        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+        {
+            struct dem_particle *const r = &p->record[c->member[k]];
+
+            displacement(p, c->member[k], d, move);
+            for (int a = 0; a < 3; a++)
+            {
+                r->v[a] = move[a]/dt;
+                r->w[a] = 0.5*(before[a] + after[a]);
+            }
+        }
+    }
+}
+
+/* Of the spheres of a body, at its present position. */
+static void set_velocities(const struct dem_clumps *c, size_t body, struct dem_particles *p)
+{
+    double w[3], arm[3], turning[3];
+
+    dem_clump_spin(dem_clump_at(p, c->member[c->start[body]]), w);
+    for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+    {
+        struct dem_particle *const r = &p->record[c->member[k]];
+        const struct dem_clump *const b = dem_clump_at(p, c->member[k]);
+
+        dem_clump_rotate(b->q, b->offset, arm);
+        dem_vec_cross(w, arm, turning);
+        for (int a = 0; a < 3; a++)
+        {
+            r->v[a] = b->v[a] + turning[a];
+            r->w[a] = w[a];
+        }
+    }
+}
+
+void dem_clumps_kick(const struct dem_clumps *c, struct dem_particles *p, const double g[3], double h)
+{
+    const double *const force = dem_column(p, DEM_COLUMN_FORCE),
+                 *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+
+    for (size_t body = 0; body < c->n; body++)
+    {
+        struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+        double F[3] = {0.0, 0.0, 0.0}, T[3] = {0.0, 0.0, 0.0}, arm[3], moment[3];
+
+        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+        {
+            const size_t i = c->member[k];
+
+            dem_clump_rotate(b->q, dem_clump_at(p, i)->offset, arm);
+            dem_vec_cross(arm, force + 3*i, moment);
+            for (int a = 0; a < 3; a++)
+            {
+                F[a] += force[3*i + (size_t)a];
+                T[a] += moment[a] + torque[3*i + (size_t)a];
+            }
+        }
+        for (int a = 0; a < 3; a++)
+        {
+            b->v[a] += h*(F[a]/b->mass + g[a]);
+            b->momentum[a] += h*T[a];
+        }
+        share(c, body, p);
+        set_velocities(c, body, p);
+    }
+}

@@ -1,0 +1,48 @@
+/*
+ * wall_wear.h -- volume that particles wear off each triangle of a wall.
+ *
+ *   V = sum k/H F_n |v_t| dt                                                               [m3]
+ *
+ *   k      coefficient of wear of the wall                                                 [1]
+ *   H      its hardness                                                                    [Pa]
+ *   F_n    normal force of a contact, where it presses                                     [N]
+ *   v_t    velocity of the particle's surface along the wall's, in the middle of a step    [m/s]
+ *
+ * A contact wears the triangle on which it is. Source: Archard, J. Appl. Phys. 24 (1953) 981. The wall
+ * keeps its form.
+ *
+ * Terms are rounded to 2^-120 m3 (8e-37 m3) and summed as integers, so the sums do not depend on ranks and
+ * order. They begin at the start and at each restart.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_RECORDS_WALL_WEAR_H
+#define DEM_RECORDS_WALL_WEAR_H
+
+#include "contacts/contact_batch.h"
+#include <stddef.h>
+#include <stdint.h>
+
+struct dem_state;
+
+enum
+{
+    DEM_WEAR_DIGITS = 4
+};
+
+struct dem_wear_sum    /* digits of 32 bits, the lowest first; the highest holds the rest */
+{
+    int64_t digit[DEM_WEAR_DIGITS];
+};
+
+/* Make room for the triangles of all walls; none when no wall wears. */
+int dem_wall_wear_begin(struct dem_state *);
+
+/* After the effects have acted on the rows of a batch. */
+int dem_wall_wear_add(struct dem_state *, const struct dem_contact_batch *, uint32_t row, int rows);
+
+/* Collective. The volume [m3] worn off each triangle of a wall, on the first rank, in the order of
+   dem_wall_corners. */
+int dem_wall_wear_volumes(const struct dem_state *, int wall, double *volume);
+
+#endif

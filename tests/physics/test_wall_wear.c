@@ -1,0 +1,59 @@
+/*
+ * test_wall_wear.c -- a sphere so heavy that no force moves it slides along a plate and wears k F L/H off
+ * it, each triangle for the part of the way on it; a moving plate, periodic images and the position of the triangles change
+ * nothing.
+ *
+ * Source: Archard, J. Appl. Phys. 24 (1953) 981.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+static const double R = 1e-3, overlap = 1e-5, v = 0.1, T = 0.05, k = 1e-4, H = 1e9;
+
+/* The plate is divided at x = 0.0021 by the edge of two rectangles, of two triangles each. */
+static struct dem *slides(const char *motion, const char *domain, double speed)
+{
+    return world(world_text(
+        "materials { glass { density 1e22; youngsModulus 1e7; poissonsRatio 0.3; } "
+        "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} } %s "
+        "walls { plate { type triangles; material rigid; wear { coefficient %g; hardness %g; } %s corners ("
+        "(-0.01 -0.01 0) (0.0021 -0.01 0) (0.0021 0.01 0) (-0.01 -0.01 0) (0.0021 0.01 0) (-0.01 0.01 0) "
+        "(0.0021 -0.01 0) (0.02 -0.01 0) (0.02 0.01 0) (0.0021 -0.01 0) (0.02 0.01 0) (0.0021 0.01 0)); } } "
+        "insert { ball { type list; material glass; diameter %g; positions ((1e-3 2e-3 %.17g)); velocity (%g 0 0); } } time { step 5e-6; }", domain, k, H, motion, 2.0*R, R - overlap, speed), 0, NULL);
+}
+
+static void wears(const char *motion, const char *domain, double speed, const char *what)
+{
+    const double F = 4.0/3.0*1e7/0.91*sqrt(R)*pow(overlap, 1.5), all = k*F*v*T/H;
+    struct dem *const d = slides(motion, domain, speed);
+    double volume[4], corner[36], sum = 0.0, left = 0.0;
+
+    world_run(d, T);
+    WORLD_TRY(dem_wall_wear(d, 0, volume));
+    WORLD_TRY(dem_wall_corners(d, 0, corner));
+    for (int t = 0; t < 4; t++)
+    {
+        sum += volume[t];
+        left += fmin(corner[9*t], fmin(corner[9*t + 3], corner[9*t + 6])) < 0.0 ? volume[t] : 0.0;
+    }
+    TAP_OK(dem_wall_wears(d, 0) && !dem_wall_wears(d, 1), "%s: wear is summed", what);
+    TAP_NEAR(sum/all, 1.0, 1e-12, "%s: k F L/H", what);
+    /* the way to the edge, to a step of it */
+    TAP_NEAR(left/all, 1.1e-3/(v*T), 1e-4, "%s: on the part before the edge", what);
+    dem_free(d);
+}
+
+int main(void)
+{
+    wears("", "", v, "a sphere on a plate");
+    wears("motion { type translation; velocity (0.04 0 0.0); }", "", v + 0.04, "a plate that moves");
+    wears("", "domain { y (-0.01 0.01); periodic (y); }", v, "a periodic plate");
+    world_refused("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} } "
+                  "walls { w { type plane; point (0 0 0); normal (0 0 1); wear { coefficient 1; hardness 1; } } }",
+                  "build it from triangles");
+    world_refused("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} } "
+                  "walls { w { type triangles; corners ((0 0 0) (1 0 0) (0 1 0)); wear { coefficient 1; hardness 0; } } }",
+                  "give numbers above 0");
+    TAP_DONE;
+}
