@@ -217,7 +217,7 @@ void dem_set_progress(struct dem *, double seconds,
    3 each in the order of the view, 0 when it is called, which act in the kick of this step; forces in
    the view are contact forces of the step before. The result must depend on the particle, not on
    rank or index, for the same bits on any ranks. Of the library it may call dem_at only. Forces on
-   frozen particles have no effect. NULL ends it. Refused in coupled runs; with it the CPU makes the steps. */
+   frozen particles have no effect. NULL ends it. Refused in coupled runs and with clumps; with it the CPU makes the steps. */
 int dem_set_force(struct dem *,
                   void (*add)(void *self, double time, const struct dem_view *, double *force,
                               double *torque), void *self);

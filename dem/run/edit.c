@@ -67,7 +67,7 @@ int dem_edit_list(struct dem_edit *e, const int64_t *id)
 int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status)
 {
     uint8_t *present = NULL;
-    int64_t missing = -1;
+    int64_t missing = -1, clumped = -1;
 
     DEM_TRY(dem_api_agree(d, status ? status : DEM_NEW(present, e->n + 1)));
     for (size_t i = 0; i < d->state.particles.n; i++)
@@ -77,6 +77,7 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
         if (l)
         {
             present[l - e->item] = 1;
+            clumped = d->state.particles.record[i].body ? l->id : clumped;
         }
     }
     dem_collect_max_uint8(&d->state.decomposition, present, (size_t)e->n);
@@ -88,6 +89,9 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
     DEM_REQUIRE(missing < 0, DEM_ERROR_INPUT,
                 "%s: the run has no particle %lld; give ids of particles that it has", e->call,
                 (long long)e->item[missing].id);
+    DEM_REQUIRE(clumped < 0, DEM_ERROR_INPUT,
+                "%s: particle %lld is a sphere of a clump, which moves as one body; give other ids",
+                e->call, (long long)clumped);
     return DEM_OK;
 }
 
