@@ -217,6 +217,7 @@ class Simulation(Editing, Output):
 
     def wall(self, name: str) -> Wall:
         """The wall of this name"""
+        text("name", name)
         found = self.walls
         if name not in found:
             raise SunaError(f"there is no wall {name!r}; the scene has " + (", ".join(found) or "none"))
