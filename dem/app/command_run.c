@@ -42,6 +42,8 @@ static const char help[] =
     "                                     of triangles too\n"
     "            walls 0.001;             s between rows of walls.csv, force and torque on\n"
     "                                     walls; none unless given\n"
+    "            cell 0.001;              s between rows of cell.csv, stress and fabric of a cell\n"
+    "                                     that deforms; none unless given\n"
     "            energy 0.001;            s between rows of energy.csv, the energy balance; none\n"
     "                                     unless given\n"
     "            orientation no;          yes: orientation of each particle, as a quaternion\n"
@@ -100,7 +102,25 @@ struct run_state
     struct dem_run_tables tables;
     struct dem_energy_log energy;
     struct dem_totals t;
+    int stages;    /* that have begun */
 };
+
+/* A line for each stage that has begun since the last call. */
+static void tell_stages(struct run_state *c)
+{
+    const char *name, *why;
+    double begin;
+
+    while ((name = dem_run_stage(c->d, c->stages, &begin, &why)) && isfinite(begin))
+    {
+        if (c->prog->rank == 0)
+        {
+            printf("stage %s begins at t %.6g s%s%s\n", name, begin, why[0] ? ": " : "", why);
+            fflush(stdout);
+        }
+        c->stages++;
+    }
+}
 
 static int advance(struct run_state *c, double duration)
 {
@@ -115,6 +135,7 @@ static int advance(struct run_state *c, double duration)
 
     DEM_TRY(status && dem_ranks_agree(c->d) ? write_last_good(c->prog, c->d, o, &c->tables, status)
                                             : status);
+    tell_stages(c);
     DEM_TRY(dem_totals(c->d, &c->t));
     c->p.overlap = fmax(c->p.overlap, c->t.largest_overlap);
     return DEM_OK;
@@ -180,6 +201,7 @@ static int begin(struct run_state *c)
     }
     DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
     dem_run_announce_device(c->prog, c->d);
+    tell_stages(c);
     DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
     if (start == 0.0)
     {
@@ -197,7 +219,8 @@ static int advance_to(struct run_state *c, double next)
 
     for (double due = 0.0; due < next;)
     {
-        due = dem_next_due(o->energy, c->t.time, dem_next_due(o->walls, c->t.time, next));
+        due = dem_next_due(o->cell, c->t.time, next);
+        due = dem_next_due(o->energy, c->t.time, dem_next_due(o->walls, c->t.time, due));
         DEM_TRY(advance(c, due - c->t.time));
         if (dem_stopped(c->d))
         {
@@ -264,7 +287,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     const double part = s->interval/(double)checks;
 
     DEM_TRY(begin(&c));
-    while (c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached)
+    while (c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached && !dem_stages_over(d))
     {
         const int64_t k = (int64_t)floor(c.t.time/part + 1e-6) + 1,
                       number = (k + checks - 1)/checks;
@@ -277,7 +300,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
             return print_profile(prog, d, &s->output);
         }
         DEM_TRY(dem_quiet_test(d, &c.quiet, &c.t));
-        if (k%checks == 0 || c.quiet.reached || next == s->end)
+        if (k%checks == 0 || c.quiet.reached || next == s->end || dem_stages_over(d))
         {
             DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
             DEM_TRY(write_output(&c, number));

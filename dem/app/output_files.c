@@ -264,7 +264,7 @@ static int check_folder(const struct dem_output *o)
 
 static int writes_files(const struct dem_output *o)
 {
-    return o->vtk || o->csv || o->snapshots || o->walls > 0.0 || o->energy > 0.0;
+    return o->vtk || o->csv || o->snapshots || o->walls > 0.0 || o->energy > 0.0 || o->cell > 0.0;
 }
 
 int dem_output_writes(const struct dem_output *o, const struct dem *d)

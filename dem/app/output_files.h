@@ -17,7 +17,7 @@ struct dem_output
     char folder[512];
     bool vtk, csv;         /* files of particles */
     bool wide;             /* VTK files with 64 bits for all numbers, not for positions only */
-    double walls, energy;  /* s  between rows of walls.csv, of energy.csv; 0: none */
+    double walls, energy, cell;  /* s  between rows of walls.csv, energy.csv, cell.csv; 0: none */
     double max_created;    /* 1  limit of energy created between two rows, of the largest term; 0:
                               none */
     int snapshots;         /* 0 no, 1 last, 2 all */

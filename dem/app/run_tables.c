@@ -37,20 +37,24 @@ static int begin_all(const struct dem_run_tables *t, const struct dem *d)
     DEM_TRY(dem_table_begin(&effects, d, 0));
     DEM_TRY(dem_table_begin(&t->lost, d, 1));
     DEM_TRY(dem_table_begin(&t->flows, d, 0));
+    DEM_TRY(dem_table_begin(&t->residence, d, 0));
     if (dem_has_bonds(d))
     {
         DEM_TRY(dem_table_begin(&t->bonds, d, 0));
     }
+    DEM_TRY(t->cell_interval > 0.0 ? dem_table_begin(&t->cell, d, 0) : DEM_OK);
     return t->wall_interval > 0.0 ? dem_table_begin(&t->walls, d, 0) : DEM_OK;
 }
 
 int dem_run_tables_begin(struct dem_run_tables *t, const struct dem_program *prog,
                          const struct dem_output *o, struct dem *d)
 {
-    *t = (struct dem_run_tables){.wall_interval = o->walls, .wall_since = o->start};
+    *t = (struct dem_run_tables){.wall_interval = o->walls, .wall_since = o->start, .cell_interval = o->cell};
     dem_table_name(&t->lost, o->folder, "lost.csv", o->start);
     dem_table_name(&t->bonds, o->folder, "bonds.csv", o->start);
     dem_table_name(&t->flows, o->folder, "flows.csv", o->start);
+    dem_table_name(&t->residence, o->folder, "residence.csv", o->start);
+    dem_table_name(&t->cell, o->folder, "cell.csv", o->start);
     dem_table_name(&t->walls, o->folder, "walls.csv", o->start);
     DEM_TRY(dem_flow_sums_set(&t->sums, d, o->start));
     if (o->walls > 0.0)
@@ -134,7 +138,8 @@ static void print_sums(int n, const struct dem_flow *flow)
 
     for (int k = 0; k < n; k++)
     {
-        *(flow[k].enters ? &in : &out) += flow[k].particles;
+        in += flow[k].enters == DEM_FLOW_WAY_IN ? flow[k].particles : 0;
+        out += flow[k].enters == DEM_FLOW_WAY_OUT ? flow[k].particles : 0;
         waiting += flow[k].waiting;
     }
     printf("        %lld inserted, %lld removed, %lld wait for free space\n", (long long)in,
@@ -157,12 +162,15 @@ int dem_run_tables_flows(struct dem_run_tables *t, const struct dem_program *pro
     {
         print_sums(n, flow);
     }
+    DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_table_add_residence(&t->residence, d, now)
+                                                    : DEM_OK));
     return dem_program_agree(
         prog, dem_table_add_flows(prog->rank == 0 ? &t->flows : NULL, d, now, &t->sums));
 }
 
 void dem_run_tables_print_flows(const struct dem_program *prog, struct dem *d)
 {
+    static const char *const way[] = {"out", "in", "forth", "back"};
     const struct dem_flow *flow;
     int n;
 
@@ -173,7 +181,7 @@ void dem_run_tables_print_flows(const struct dem_program *prog, struct dem *d)
     for (int k = 0; k < n; k++)
     {
         printf("flow: %s %s %lld particles, %.6g kg, momentum (%.4g %.4g %.4g) kg m/s",
-               flow[k].name, flow[k].enters ? "in" : "out", (long long)flow[k].particles,
+               flow[k].name, way[flow[k].enters], (long long)flow[k].particles,
                flow[k].mass, flow[k].momentum[0], flow[k].momentum[1], flow[k].momentum[2]);
         if (flow[k].waiting > 0)
         {
@@ -188,6 +196,11 @@ void dem_run_tables_print_flows(const struct dem_program *prog, struct dem *d)
 int dem_run_tables_walls(struct dem_run_tables *t, const struct dem_program *prog, struct dem *d,
                          double now)
 {
+    if (dem_is_due(t->cell_interval, now))
+    {
+        DEM_TRY(dem_program_agree(prog,
+                                  dem_table_add_cell(prog->rank == 0 ? &t->cell : NULL, d, now)));
+    }
     if (!dem_is_due(t->wall_interval, now))
     {
         return DEM_OK;

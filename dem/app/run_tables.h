@@ -13,9 +13,10 @@
 
 struct dem_run_tables
 {
-    struct dem_table lost, bonds, flows, walls;
+    struct dem_table lost, bonds, flows, walls, cell, residence;
     int64_t removed;                /* particles, in this run */
     struct dem_flow_sums sums;      /* at the last rows of flows.csv */
+    double cell_interval;           /* s  between rows of cell.csv, 0: none */
     double wall_interval, wall_since;   /* s  between rows of walls.csv, 0: none; of the last */
 };
 
@@ -31,7 +32,7 @@ int dem_run_tables_losses(struct dem_run_tables *, const struct dem_program *, s
 int dem_run_tables_flows(struct dem_run_tables *, const struct dem_program *, struct dem *,
                          double now);
 
-/* Collective. Write the rows of walls if they are due. */
+/* Collective. Write the rows of walls and of the cell if they are due. */
 int dem_run_tables_walls(struct dem_run_tables *, const struct dem_program *, struct dem *,
                          double now);
 

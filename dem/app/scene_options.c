@@ -121,6 +121,7 @@ static int read_schedule(struct dem_schedule *s, const struct dem_case *c, const
     {
         DEM_TRY(dem_dict_number_or(write, "interval", "s", s->end, &s->interval));
         DEM_TRY(read_rows(write, "walls", s->end, &s->output.walls));
+        DEM_TRY(read_rows(write, "cell", s->end, &s->output.cell));
         DEM_TRY(read_rows(write, "energy", s->end, &s->output.energy));
     }
     DEM_TRY(read_max_created(time, &s->output));
@@ -222,6 +223,8 @@ static int check(const struct dem_program *prog, const struct dem_request *r, st
     DEM_TRY(dem_case_check(c));
     const struct dem *const checked = dem_case_checked(c);
 
+    DEM_REQUIRE(s->output.cell == 0.0 || dem_has_cell(checked), DEM_ERROR_INPUT,
+                "write/cell, but the domain has no cell that deforms; add domain/cell, or leave it out");
     s->with_gravity = dem_gravity_acceleration(checked, s->gravity);
     DEM_TRY(dem_quiet_check(checked, &s->quiet));
     DEM_TRY(dem_require_fluid(checked));

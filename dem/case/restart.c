@@ -12,13 +12,14 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "input/dictionary.h"
+#include "sources/residence.h"
 #include <stdio.h>
 #include <string.h>
 
 /* the entries that the core and the coupling take; write and accuracy change no result */
 static const char *const sections[] = {
     "materials", "effects", "pairs", "parcels", "walls", "domain", "insert", "outlets", "bonds",
-    "fluid", "forces", "time", "neighbours", "averages", "coupling"};
+    "fluid", "forces", "time", "neighbours", "averages", "coupling", "stages", "planes"};
 
 static const char group_mark[] = "@group ", program_mark[] = "@program";
 
@@ -46,7 +47,8 @@ static void add_marks(const struct dem *d, struct dem_text *t)
 
     for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
     {
-        if (at[0] == '@' && strncmp(at, "@wall ", 6) != 0)
+        if (at[0] == '@' && strncmp(at, "@wall ", 6) != 0 && !dem_stages_is_line(at)
+            && !dem_cell_is_line(at) && !dem_residence_is_line(at))
         {
             dem_text_add(t, "%.*s\n", (int)(end - at), at);
         }
@@ -72,6 +74,9 @@ static int write_text(const struct dem *d, struct dem_text *t)
 {
     dem_dict_flatten(d->dict, sections, (int)(sizeof sections/sizeof *sections), t);
     add_marks(d, t);
+    dem_stages_describe(&d->scene.stages, t);
+    dem_cell_describe(d, t);
+    dem_residence_describe(d->state.flows, t);
     return t->status;
 }
 
@@ -104,7 +109,7 @@ int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
 
         s->tail.domain[k][0] = periodic;
         s->tail.domain[k][1] = periodic ? p->domain.min[k] : 0.0;
-        s->tail.domain[k][2] = periodic ? p->domain.max[k] : 0.0;
+        s->tail.domain[k][2] = !periodic ? 0.0 : p->cell.active ? p->cell.first_max[k] : p->domain.max[k];
     }
     dem_text_free(&t);
     return status;
@@ -248,9 +253,10 @@ static int check_periodic(const struct dem_case *c)
 
     for (int k = 0; k < 3; k++)
     {
-        const double *const was = d->before.tail.domain[k];
+        const double *const was = d->before.tail.domain[k],
+                     max = d->state.cell.active ? d->state.cell.first_max[k] : box->max[k];
         const int same = (was[0] != 0.0) == (box->periodic[k] != 0)
-                      && (was[0] == 0.0 || (was[1] == box->min[k] && was[2] == box->max[k]));
+                      && (was[0] == 0.0 || (was[1] == box->min[k] && was[2] == max));
 
         DEM_REQUIRE(same, DEM_ERROR_INPUT,
                     "%s: its domain is %speriodic along %c, from %g to %g m, and the scene's is %s "
@@ -305,10 +311,12 @@ int dem_api_compare_scene(struct dem_case *c)
     if (c->new_run)
     {
         d->before.text[0] = '\0';    /* of another run: nothing of this one is inserted yet */
-        return DEM_OK;
+        return dem_stages_start(d, 0);
     }
     DEM_TRY(check_periodic(c));
     DEM_TRY(compare(c));
+    dem_cell_resume(d, d->before.text);
+    DEM_TRY(dem_stages_start(d, 1));
     DEM_TRY(dem_api_resume_walls(c));
     return keep_new_groups(c);
 }

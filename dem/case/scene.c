@@ -107,7 +107,7 @@ static int read_axis_types(struct dem_domain *d, const struct dem_dict *dict)
     return DEM_OK;
 }
 
-static int read_domain(struct dem_domain *d, const struct dem_dict *scene)
+static int read_domain(struct dem_domain *d, struct dem_cell *cell, const struct dem_dict *scene)
 {
     static const char *const known[] = {"error", "remove"};
     const struct dem_dict *dict;
@@ -126,7 +126,8 @@ static int read_domain(struct dem_domain *d, const struct dem_dict *scene)
         return dem_error_prefix(dem_did_you_mean_error("way of leaving", leaving, known, 2),
                                 "%s: ", dem_dict_where(dict));
     }
-    return read_axis_types(d, dict);
+    DEM_TRY(read_axis_types(d, dict));
+    return dem_scene_read_cell(cell, d, dict);
 }
 
 /* Entries that only some effects need; without such an effect they are refused as unread. */
@@ -351,13 +352,14 @@ static int read_frozen(struct dem_scene *s, const struct dem_dict *start,
 int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
                    struct dem_interaction_table *r, struct dem_walls *w, struct dem_domain *d)
 {
-    const struct dem_dict *insert, *outlets, *start;
+    const struct dem_dict *insert, *outlets, *planes, *start;
 
     DEM_TRY(dem_scene_read_interactions(scene, r));
     DEM_TRY(read_parcels(r, scene));
     DEM_TRY(dem_interaction_table_add_fluid_scalars(r, dem_dict_where(scene)));
     DEM_TRY(dem_scene_read_walls(scene, r, w));
-    DEM_TRY(read_domain(d, scene));
+    DEM_TRY(dem_scene_read_stages(&s->stages, scene, w));
+    DEM_TRY(read_domain(d, &s->cell, scene));
     DEM_TRY(read_fluid(&s->fluid, scene, r));
     DEM_TRY(read_time(s, scene));
     DEM_TRY(read_neighbours(s, scene));
@@ -375,6 +377,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(dem_clump_shapes_read(&s->shapes, scene));
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
+    DEM_TRY(dem_dict_sub_if(scene, "planes", &planes));
     DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r, d));
     for (int k = 0; k < w->walls; k++)
     {
@@ -383,6 +386,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
             DEM_TRY(dem_streams_add_wall(&s->streams, w->wall[k].absorbs, &w->wall[k].outlet));
         }
     }
+    DEM_TRY(dem_streams_read_planes(&s->streams, planes));
     DEM_REQUIRE(!r->motionless || s->streams.streams == 0, DEM_ERROR_INPUT,
                 "%s: start freezes all particles, but insert/%s lets others move; leave out one of "
                 "the two", dem_dict_where(start), s->streams.stream[0].name);
@@ -399,6 +403,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
 void dem_scene_free(struct dem_scene *s)
 {
     dem_memory_free(s->average);
+    dem_memory_free(s->stages.stage);
     dem_insert_free(&s->insertion);
     dem_clump_shapes_free(&s->shapes);
     dem_streams_free(&s->streams);

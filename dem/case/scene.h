@@ -8,15 +8,18 @@
  *                                                              other settings for two materials
  *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface;
  *                        material; motion { ... } ... } }
- *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove; }
+ *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove;
+ *                 cell { xx { rate; | stress; start; end; } yy; zz; maxRate; } }
  *     insert    { NAME { type lattice|random|list|table|stream; ... } }
  *     shapes    { NAME { spheres ((x y z r) ...); } }          rigid bodies of several spheres
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }
+ *     planes    { NAME { point; normal; radius; } }            count what passes
  *     start     { snapshot "FILE"; SCALAR VALUE; }             instead of insert
  *     bonds     { pairs (ID ID ...); }                         for an effect with listed bonds
  *     fluid     { velocity; density; viscosity; voidFraction; pressureGradient; }
  *                                                              uniform, without a coupled solver
  *     time      { end; step auto|NUMBER; maxOverlap; maxSpeed; force; }
+ *     stages    { NAME { until quiet; | until { force WALL; value; } | duration; atMost; } }
  *     neighbours{ outerSkin; innerSkin; }
  *     averages  { NAME { min; max; cells; start; end; interval; } }
  *     device    gpu|NAME;                                      makes the steps in place of the CPU
@@ -28,6 +31,8 @@
 #define DEM_CASE_SCENE_H
 
 #include "particles/uniform_fluid.h"
+#include "case/scene_cell.h"
+#include "case/stages.h"
 #include "records/averages_io.h"
 #include "input/dictionary.h"
 #include "sources/insert.h"
@@ -61,6 +66,8 @@ struct dem_scene
     const char *device;                    /* that makes the steps; "cpu": none */
     const int64_t *bond_ids;               /* ids of bonded pairs, two each; NULL: no list */
     size_t bond_id_count;
+    struct dem_run_stages stages;
+    struct dem_cell cell;
 };
 
 /* Read the materials; call this first, because walls and particles added through the API need

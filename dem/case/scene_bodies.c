@@ -211,7 +211,7 @@ int dem_scene_read_body(const struct dem_dict *dict, const char *type, const str
     DEM_TRY(DEM_NEW(b, 1));
     *made = b;
     b->area = 1.0;
-    DEM_TRY(dem_scene_read_times(dict, &b->start, &b->end));
+    DEM_TRY(dem_scene_read_times(dict, &b->start, &b->end, b->stage));
     DEM_REQUIRE(of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
                 "%s: wall %s is round; only planes and triangles are moved by force",
                 dem_dict_where(dict), of->name);

@@ -23,8 +23,8 @@ int dem_scene_read_time_table(const struct dem_dict *, const char *const *names,
 /* The entry axis as a unit vector. */
 int dem_scene_read_direction(const struct dem_dict *, double axis[3]);
 
-/* start and end of a motion [s]. */
-int dem_scene_read_times(const struct dem_dict *, double *start, double *end);
+/* start and end of a motion [s], and the stages that begin then, from 1, or 0. */
+int dem_scene_read_times(const struct dem_dict *, double *start, double *end, int16_t stage[2]);
 
 /* A motion by force; *body stays NULL for another type. The caller frees it, also after an error. */
 int dem_scene_read_body(const struct dem_dict *, const char *type, const struct dem_wall *,
@@ -32,5 +32,9 @@ int dem_scene_read_body(const struct dem_dict *, const char *type, const struct 
 
 /* motion, surfaceVelocity and surfaceRotation of one wall. */
 int dem_scene_read_motion(struct dem_walls *, int wall, const struct dem_dict *);
+
+/* The settings of rest, with their defaults where there is no dictionary (NULL). */
+struct dem_quiet;
+int dem_scene_read_quiet(const struct dem_dict *, struct dem_quiet *);
 
 #endif

@@ -112,6 +112,7 @@ static const struct rule
       "the wall stays where it stood"}},
     {"walls", "", {"", "the wall stands where the scene puts it", "its contacts have ended"}},
     {"insert", "", {"", "the stream begins now", "its particles stay"}},
+    {"planes", "", {"", "it counts from now on", "its sums are not continued"}},
     {"outlets", "", {"", "it acts from now on", "its sums are not continued"}},
     {"averages", NULL,
      {"the means of this grid begin anew", "the means of this grid begin now",
@@ -161,23 +162,36 @@ int dem_scene_line_is_form(const char *entry)
     return found;
 }
 
-/* 1 when the group of `insert` that this line belongs to is a stream. */
-int dem_scene_line_is_stream(const struct dem_scene_lines *all, const struct dem_scene_line *l)
+/* The line of this path; NULL: there is none. */
+static const struct dem_scene_line *find_line(const struct dem_scene_lines *all, const char *path)
 {
-    char path[128], name[64];
-    const int n = snprintf(path, sizeof path, "insert/%s/type", dem_scene_line_part(l, 1, name));
-    const struct dem_scene_line key = {.path = path, .length = (size_t)n};
+    const struct dem_scene_line key = {.path = path, .length = strlen(path)};
     size_t from = 0, to = all->n;
 
     while (from < to)
     {
         const size_t middle = from + (to - from)/2;
+        const int before = dem_scene_lines_compare(&all->line[middle], &key) < 0;
 
-        from = dem_scene_lines_compare(&all->line[middle], &key) < 0 ? middle + 1 : from;
-        to = dem_scene_lines_compare(&all->line[middle], &key) < 0 ? to : middle;
+        from = before ? middle + 1 : from;
+        to = before ? to : middle;
     }
-    return from < all->n && dem_scene_lines_compare(&all->line[from], &key) == 0
-        && all->line[from].size == 6 && memcmp(all->line[from].value, "stream", 6) == 0;
+    return from < all->n && dem_scene_lines_compare(&all->line[from], &key) == 0 ? &all->line[from] : NULL;
+}
+
+/* 1 when the group of `insert` that this line belongs to is a stream, or comes later. */
+int dem_scene_line_is_stream(const struct dem_scene_lines *all, const struct dem_scene_line *l)
+{
+    char path[128], name[64];
+
+    dem_scene_line_part(l, 1, name);
+    snprintf(path, sizeof path, "insert/%s/at", name);
+    const int later = find_line(all, path) != NULL;
+
+    snprintf(path, sizeof path, "insert/%s/type", name);
+    const struct dem_scene_line *const type = find_line(all, path);
+
+    return later || (type && type->size == 6 && memcmp(type->value, "stream", 6) == 0);
 }
 
 const char *dem_scene_line_becomes(const struct dem_scene_lines *all, const struct dem_scene_line *l, enum dem_line_change change)

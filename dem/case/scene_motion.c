@@ -105,7 +105,7 @@ static int read_motion(void *context, const struct dem_dict *dict)
     }
     struct dem_motion_part *const p = &c->part[c->parts++];
 
-    DEM_TRY(dem_scene_read_times(dict, &p->motion.start, &p->motion.end));
+    DEM_TRY(dem_scene_read_times(dict, &p->motion.start, &p->motion.end, p->motion.stage));
     return strcmp(type, "table") == 0 ? read_table(dict, p) : read_formula(dict, type, &p->motion);
 }
 

@@ -25,18 +25,18 @@ int dem_scene_read_direction(const struct dem_dict *dict, double axis[3])
     return DEM_OK;
 }
 
-int dem_scene_read_times(const struct dem_dict *dict, double *start, double *end)
+int dem_scene_read_times(const struct dem_dict *dict, double *start, double *end, int16_t stage[2])
 {
-    DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, start));
-    *end = INFINITY;
-    if (dem_dict_has(dict, "end"))
-    {
-        DEM_TRY(dem_dict_number(dict, "end", "s", end));
-    }
-    DEM_REQUIRE(fabs(*start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
+    int from, to;
+
+    DEM_TRY(dem_dict_time_or(dict, "start", 0.0, start, &from));
+    DEM_TRY(dem_dict_time_or(dict, "end", INFINITY, end, &to));
+    stage[0] = (int16_t)from;
+    stage[1] = (int16_t)to;
+    DEM_REQUIRE(from || fabs(*start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), *start,
                 DEM_MOTION_LIMIT);
-    DEM_REQUIRE(*end > *start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
+    DEM_REQUIRE(to ? from < to : from || *end > *start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
                 dem_dict_where(dict), *end, *start);
     return DEM_OK;
 }

@@ -1,9 +1,11 @@
 /*
- * scene_quiet.c -- the entry time/untilQuiet; run/until_quiet.c tests it.
+ * scene_quiet.c -- the entry time/untilQuiet, and the same settings of a stage; run/until_quiet.c tests
+ * them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/dem_case.h"
+#include "case/scene_internal.h"
 #include "core/error.h"
 #include <math.h>
 
@@ -22,16 +24,10 @@ static int check_settings(const struct dem_quiet *q, const struct dem_dict *dict
     return DEM_OK;
 }
 
-int dem_case_read_quiet(const struct dem_case *c, struct dem_quiet *q)
+int dem_scene_read_quiet(const struct dem_dict *dict, struct dem_quiet *q)
 {
-    const struct dem_dict *time, *dict = NULL;
-
     *q = (struct dem_quiet){.kinetic = 1e-6, .moving = 0.01, .imbalance = 0.01, .since = INFINITY,
                             .tested = -INFINITY};
-    DEM_REQUIRE(c->d->dict, DEM_ERROR_STATE, "time/untilQuiet is read after the scene has been "
-                "read");
-    DEM_TRY(dem_dict_sub_if(c->d->dict, "time", &time));
-    DEM_TRY(time ? dem_dict_sub_if(time, "untilQuiet", &dict) : DEM_OK);
     if (!dict)
     {
         return DEM_OK;
@@ -45,4 +41,16 @@ int dem_case_read_quiet(const struct dem_case *c, struct dem_quiet *q)
     DEM_TRY(dem_dict_number_or(dict, "moving", "1", q->moving, &q->moving));
     DEM_TRY(dem_dict_number_or(dict, "imbalance", "1", q->imbalance, &q->imbalance));
     return check_settings(q, dict);
+}
+
+int dem_case_read_quiet(const struct dem_case *c, struct dem_quiet *q)
+{
+    const struct dem_dict *time, *dict = NULL;
+
+    *q = (struct dem_quiet){.wanted = 0};
+    DEM_REQUIRE(c->d->dict, DEM_ERROR_STATE, "time/untilQuiet is read after the scene has been "
+                "read");
+    DEM_TRY(dem_dict_sub_if(c->d->dict, "time", &time));
+    DEM_TRY(time ? dem_dict_sub_if(time, "untilQuiet", &dict) : DEM_OK);
+    return dem_scene_read_quiet(dict, q);
 }

@@ -11,6 +11,7 @@
 #include "core/memory.h"
 #include "core/did_you_mean.h"
 #include "input/stl.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -147,6 +148,21 @@ static int read_shape(const struct wall_reader *reader, const struct dem_dict *d
     }
 }
 
+/* `from` and `until`: times, or stages. */
+static int read_presence(struct dem_walls *w, struct dem_wall *wall, const struct dem_dict *dict)
+{
+    int *const stage = wall->there_stage;
+
+    DEM_TRY(dem_dict_time_or(dict, "from", -INFINITY, &wall->there[0], &stage[0]));
+    DEM_TRY(dem_dict_time_or(dict, "until", INFINITY, &wall->there[1], &stage[1]));
+    DEM_REQUIRE(stage[1] ? stage[0] < stage[1] : stage[0] || wall->there[0] < wall->there[1],
+                DEM_ERROR_INPUT,
+                "%s: wall %s is there until a time that is not after its time `from`; give a later "
+                "one", dem_dict_where(dict), wall->name);
+    w->passing += dem_dict_has(dict, "from") || dem_dict_has(dict, "until");
+    return DEM_OK;
+}
+
 /* Motions of single faces of a box, whose walls begin with `first`:  faces { maxZ { motion ... } } */
 static int read_faces(struct dem_walls *w, const struct dem_dict *dict, int first)
 {
@@ -231,6 +247,7 @@ static int read_wall(void *context, const struct dem_dict *dict)
         DEM_TRY(read_wear(dict, &w->wall[k]));
         w->wearing += w->wall[k].wear > 0.0;
         DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
+        DEM_TRY(read_presence(w, &w->wall[k], dict));
         DEM_TRY(dem_scene_read_motion(w, k, dict));
         DEM_REQUIRE(!(frictionless && w->wall[k].driven), DEM_ERROR_INPUT,
                     "%s: wall %s is frictionless, so the velocity of its surface moves no particle; "

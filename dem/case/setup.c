@@ -99,7 +99,7 @@ static int prepare_physics(struct dem_case *c)
 
     DEM_TRY(dem_wall_store_distribute(&p->wall_store, &p->walls));
     DEM_TRY(dem_contacts_init(&p->contacts, &p->interaction_table));
-    p->contacts.forces.all_rows |= c->virial || d->scene.averages > 0;
+    p->contacts.forces.all_rows |= c->virial || d->scene.averages > 0 || p->cell.active;
     dem_pairs_init(&p->pairs, &p->domain, skin, p->interaction_table.reach, radius);
     if (d->scene.tuned_skins && radius > 0.0)
     {
@@ -237,8 +237,11 @@ static int place_particles(struct dem_case *c)
     }
     if (has_energy_balance(c))
     {
-        DEM_TRY(dem_api_agree(d, dem_energy_balance_open(d->state.energy_balance,
-                                                         &d->state.interaction_table)));
+        int status = dem_energy_balance_open(d->state.energy_balance, &d->state.interaction_table);
+
+        status = status ? status
+                        : dem_energy_balance_watch_walls(d->state.energy_balance, &d->state.walls);
+        DEM_TRY(dem_api_agree(d, status));
     }
     DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
@@ -256,8 +259,9 @@ static void begin_device(struct dem *d)
     {
         return;
     }
-    snprintf(why, sizeof why, "the run is coupled with a fluid");
-    if (!d->coupled)
+    snprintf(why, sizeof why, d->coupled ? "the run is coupled with a fluid" : "the domain deforms, walls come or go, or there are stages");
+    if (!d->coupled && d->scene.stages.n == 0 && d->state.walls.passing == 0
+        && !d->state.cell.active)
     {
         dem_device_refusal(&d->state, why, sizeof why);
     }

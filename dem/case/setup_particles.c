@@ -16,6 +16,7 @@
 #include "particles/scalars.h"
 #include "particles/uniform_fluid.h"
 #include "ranks/collect.h"
+#include "sources/residence.h"
 #include "records/totals.h"
 #include <float.h>
 #include <math.h>
@@ -230,7 +231,8 @@ static unsigned column_groups(const struct dem_case *c)
                     | (under_relaxes(c) ? DEM_GROUP_UNDER_RELAXATION : 0)
                     | (c->own_wake ? DEM_GROUP_OWN_WAKE : 0)
                     | (d->scene.shapes.n > 0 ? DEM_GROUP_CLUMP : 0)
-                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0);
+                    | (dem_streams_have_regions(&d->scene.streams) ? DEM_GROUP_OUTLETS : 0)
+                    | (dem_streams_ask_residence(&d->scene.streams) ? DEM_GROUP_BIRTH : 0);
 
     for (size_t k = 0; k < sizeof required/sizeof required[0]; k++)
     {
@@ -333,8 +335,9 @@ int dem_api_begin_flows(struct dem_case *c)
     d->state.flows->fluid = &d->scene.fluid;
     d->state.flows->asked = d->flow_on_request;
     c->snapshot_flows.flows = c->scene_start ? 0 : c->snapshot_flows.flows;
-    return dem_flows_begin(&d->state, &d->scene.streams,
-                           c->load_path[0] ? &c->snapshot_flows : NULL);
+    DEM_TRY(dem_flows_begin(&d->state, &d->scene.streams,
+                            c->load_path[0] ? &c->snapshot_flows : NULL));
+    return dem_residence_begin(&d->state, d->before.text);
 }
 
 int dem_api_create_particles(struct dem_case *c)
@@ -363,6 +366,7 @@ int dem_api_create_particles(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, complete_scalars(c)));
         return dem_api_compare_scene(c);
     }
+    DEM_TRY(dem_stages_start(d, 0));
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
                              &p->walls, &p->decomposition));
     DEM_TRY(dem_api_join_initial(c));

@@ -106,6 +106,7 @@ static int read_scene(struct dem_case *c)
     dem_api_begin_walls(d);
     DEM_TRY(dem_api_add_mesh_walls(d));
     DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain));
+    p->cell = d->scene.cell;
     DEM_TRY(dem_scene_read_forces(d->dict, &p->interaction_table, &p->applied_forces));
     DEM_TRY(dem_api_assign_patches(d));
     if (d->scene.snapshot && !c->load_path[0])
@@ -120,6 +121,8 @@ static int read_scene(struct dem_case *c)
     DEM_TRY(decide_fluid(d));
     DEM_TRY(enable_exchanges(c));
     list_effects(d);
+    DEM_TRY(dem_stages_check(d));
+    DEM_TRY(dem_cell_refuse(d));
     return dem_api_check_scene(c);
 }
 

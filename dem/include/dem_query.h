@@ -75,6 +75,24 @@ int dem_lost(struct dem *, int64_t *n, const struct dem_loss **);
    without streams and outlets. The same on all ranks; valid until the next call. */
 int dem_flows(struct dem *, int *n, const struct dem_flow **);
 
+/* The residence times of row k of dem_flows; NULL where its outlet has no entry `residence`. Valid until
+   the next advance. */
+const struct dem_residence *dem_residence(const struct dem *, int k);
+
+/* ---- stages ---------------------------------------------------------------------------------- */
+
+/* The name of stage k of the scene, from 0; NULL behind the last. *begin: when it began [s], infinite if it
+   has not; *why: what has ended the stage before it, "" where it is not known. */
+const char *dem_run_stage(const struct dem *, int k, double *begin, const char **why);
+int dem_stages_over(const struct dem *);  /* 1: the last stage has ended */
+
+/* ---- a cell that deforms ---------------------------------------------------------------------- */
+
+/* Collective. Of the scene's domain/cell; contacts are those of the last step, none after a load before
+   the first one. An error in a scene without a cell. */
+int dem_cell(struct dem *, struct dem_cell_now *);
+int dem_has_cell(const struct dem *);  /* 1: the scene has one */
+
 /* ---- bonds ----------------------------------------------------------------------------------- */
 
 int dem_has_bonds(const struct dem *);  /* 1 when an effect of the scene makes bonds */

@@ -80,6 +80,12 @@ int dem_table_add_flows(const struct dem_table *, struct dem *, double now,
    reset, and present ones; the sums are reset. Written where table is not NULL. */
 int dem_table_add_walls(const struct dem_table *, struct dem *, double now, double elapsed);
 
+/* Rows of residence.csv, one for each outlet with the entry `residence`. */
+int dem_table_add_residence(const struct dem_table *, struct dem *, double now);
+
+/* Collective. Row of cell.csv: dem_cell. Written where table is not NULL. */
+int dem_table_add_cell(const struct dem_table *, struct dem *, double now);
+
 /* Row of energy.csv with n items of dem_energy. */
 int dem_table_add_energy(const struct dem_table *, const struct dem *, double now, double since,
                          int n, const struct dem_energy_item *);

@@ -178,15 +178,46 @@ struct dem_loss
 };
 
 /* sums of a stream or an outlet since the start: dem_flows */
+enum dem_flow_way
+{
+    DEM_FLOW_WAY_OUT,                   /* through an outlet, or `domain`: particles that left it */
+    DEM_FLOW_WAY_IN,                    /* from a stream */
+    DEM_FLOW_WAY_FORTH,                 /* through a plane, along its normal; */
+    DEM_FLOW_WAY_BACK                   /* the next row of the same name: against it */
+};
+
 struct dem_flow
 {
     const char *name;
-    int enters;                         /* 1: a stream; 0: an outlet, or `domain`: particles that
-                                           left it */
+    int enters;                         /* enum dem_flow_way */
     int64_t particles;
     double mass, momentum[3], energy;   /* kg, kg m/s, J kinetic  each particle's when it passed */
     int64_t waiting;                    /* particles that are due but found no free space at the
                                            last trial */
+};
+
+enum
+{
+    DEM_RESIDENCE_BINS = 64
+};
+
+/* times from entry to removal of the particles of an outlet: dem_residence */
+struct dem_residence
+{
+    double end;                     /* s  of the last bin, which has all later ones, too */
+    int64_t particles, bin[DEM_RESIDENCE_BINS];
+    double sum, squares;            /* s, s2 */
+};
+
+/* a periodic cell that deforms, as it is now: dem_cell. Pairs are xx yy zz xy yz zx */
+struct dem_cell_now
+{
+    double length[3], rate[3];      /* m, 1/s  (dL/dt)/L in the last step */
+    double stress[6];               /* Pa  of contacts and of motion relative to the flow; tension positive */
+    double fabric[6];               /* 1   mean of n n over the contacts */
+    double solid;                   /* 1   volume of particles over the cell's */
+    double contacts;                /* with a force, between two particles each */
+    double modulus[3];              /* Pa  of the contacts along the axes, sum k l^2 n^4/V */
 };
 
 /* ---- bonds ----------------------------------------------------------------------------------- */

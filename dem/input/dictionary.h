@@ -73,6 +73,10 @@ int dem_dict_vector_or(const struct dem_dict *d, const char *name, const char *u
                        const double fallback[3], double value[3]);
 int dem_dict_int64(const struct dem_dict *d, const char *name, int64_t *value);
 int dem_dict_int64_or(const struct dem_dict *d, const char *name, int64_t fallback, int64_t *value);
+/* A time [s]: a number, or the name of a stage of the scene's `stages`: then *value is infinite and
+   *stage its number from 1, else 0. */
+int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback, double *value,
+                     int *stage);
 /* yes no on off true false */
 int dem_dict_switch(const struct dem_dict *d, const char *name, bool *value);
 int dem_dict_switch_or(const struct dem_dict *d, const char *name, bool fallback, bool *value);

@@ -53,6 +53,7 @@ static const struct dem_column columns[DEM_COLUMNS] = {
     [DEM_COLUMN_BROKEN_BONDS] = {"brokenBonds", 1, DEM_GROUP_PAIR_ENERGY, NULL},
     [DEM_COLUMN_ORIENTATION] = {"orientation", 4, DEM_GROUP_ORIENTATION, NULL},
     [DEM_COLUMN_CHECKED_POSITION] = {"checkedPosition", 4, DEM_GROUP_OUTLETS, NULL},
+    [DEM_COLUMN_BIRTH] = {"birth", 1, DEM_GROUP_BIRTH, NULL},
     [DEM_COLUMN_CLUMP] = {"clump", DEM_CLUMP_WIDTH, DEM_GROUP_CLUMP, NULL},
 };
 

@@ -58,6 +58,7 @@ enum dem_column_group
     DEM_GROUP_ROTATIONAL_DRAG = 1024, /* rotational drag */
     DEM_GROUP_TURBULENCE = 4096,      /* effects that need the fluid's turbulence */
     DEM_GROUP_OUTLETS = 8192,         /* outlets that are regions */
+    DEM_GROUP_BIRTH = 65536,          /* outlets that ask for the residence time */
     DEM_GROUP_CLUMP = 32768,          /* rigid bodies of several spheres */
     DEM_GROUP_OWN_WAKE = 16384,       /* coupling that subtracts a particle's own wake */
     DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
@@ -120,9 +121,10 @@ enum dem_column_name
     DEM_COLUMN_ORIENTATION,              /* 1    unit quaternion, see particles/orientation.h */
     DEM_COLUMN_CHECKED_POSITION,         /* m, 1 4: at the last check of outlets
                                             (sources/outlet_path.c) */
+    DEM_COLUMN_BIRTH,                    /* s    time of the entry into the domain */
     DEM_COLUMN_CLUMP,                    /* the body of a sphere: struct dem_clump */
     DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
-    DEM_FURTHER_COLUMNS = 27,            /* limit of their number */
+    DEM_FURTHER_COLUMNS = 26,            /* limit of their number */
     DEM_BATCH_COLUMNS = 4                /* limit of those that fill columns of batches */
 };
 

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "particles/applied_forces.h"
+#include "particles/cell.h"
 #include "particles/clump.h"
 #include "particles/domain.h"
 #include "ranks/halo.h"
@@ -98,6 +99,8 @@ struct dem_progress
 struct dem_state
 {
     struct dem_domain domain;
+    /* how it deforms */
+    struct dem_cell cell;
     struct dem_interaction_table interaction_table;
     struct dem_particles particles;
     struct dem_contacts contacts;

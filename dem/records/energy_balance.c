@@ -35,8 +35,19 @@ int dem_energy_balance_open(struct dem_energy_balance *l, const struct dem_inter
     return DEM_OK;
 }
 
+int dem_energy_balance_watch_walls(struct dem_energy_balance *l, const struct dem_walls *w)
+{
+    DEM_TRY(w->passing > 0 ? DEM_NEW(l->wall_elastic, w->walls) : DEM_OK);
+    for (int k = 0; l->wall_elastic && k < w->walls; k++)
+    {
+        dem_sum_clear(&l->wall_elastic[k]);
+    }
+    return DEM_OK;
+}
+
 void dem_energy_balance_free(struct dem_energy_balance *l)
 {
+    dem_memory_free(l->wall_elastic);
     dem_memory_free(l->sum);
     dem_memory_free(l->scratch);
     memset(l, 0, sizeof *l);
@@ -56,8 +67,17 @@ struct dem_sum *dem_energy_balance_sums_of(const struct dem_energy_balance *l,
 
 /* ---- before an effect acts ------------------------------------------------------------------- */
 
-void dem_energy_balance_begin_sweep(struct dem_energy_balance *l)
+void dem_energy_balance_begin_sweep(struct dem_state *p)
 {
+    struct dem_energy_balance *const l = p->energy_balance;
+
+    for (int k = 0; l->wall_elastic && k < p->walls.walls && l->sums_elastic; k++)
+    {
+        if (!p->walls.wall[k].absent)
+        {
+            dem_sum_clear(&l->wall_elastic[k]);
+        }
+    }
     for (int k = 0; k < DEM_EFFECT_LIST_LIMIT && l->sums_elastic; k++)
     {
         dem_sum_clear(&l->sum[k*DEM_ENERGY_BALANCE_SUMS_PER_EFFECT + DEM_ENERGY_BALANCE_ELASTIC]);
@@ -210,7 +230,15 @@ void dem_energy_balance_after_effect(struct dem_state *p, const struct dem_conta
     }
     for (int c = 0; c < r->rows; c++)
     {
-        if (dem_contacts_pair(&p->contacts, r->row + (uint32_t)c)->i < p->particles.n)
+        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, r->row + (uint32_t)c);
+
+        if (l->wall_elastic && r->list->pair.with_wall && l->sums_elastic)
+        {
+            const int wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
+
+            dem_energy_balance_add(&l->wall_elastic[wall], s->energy.stored[c]);
+        }
+        if (q->i < p->particles.n)
         {
             const int broke = effect->stage == DEM_STAGE_BOND && b->broke[c] > s->then.broke[c];
 

@@ -60,6 +60,7 @@ enum dem_energy_balance_sum                                       /* of each eff
     DEM_ENERGY_BALANCE_OUT,      /* J  carried out by particles that left */
     DEM_ENERGY_BALANCE_IN,       /* J  carried in by particles that came */
     DEM_ENERGY_BALANCE_APPLIED,  /* J  work of the scene's forces on chosen particles */
+    DEM_ENERGY_BALANCE_CELL,     /* J  work of the periodic cell that deforms */
     DEM_ENERGY_BALANCE_DRIVEN,   /* J  work of what moves driven particles */
     DEM_ENERGY_BALANCE_LOADS,    /* J  work of given forces on walls that are moved by force */
     DEM_ENERGY_BALANCE_LOST_WALLS,  /* J  in their damping and at their stops */
@@ -74,7 +75,7 @@ enum dem_energy_balance_sum                                       /* of each eff
 
 enum
 {
-    DEM_ENERGY_BALANCE_ITEMS = 22 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+    DEM_ENERGY_BALANCE_ITEMS = 25 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
 };
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */
@@ -124,6 +125,9 @@ struct dem_energy_balance
     double gravity[3];
     /* DEM_ENERGY_BALANCE_SUMS */
     struct dem_sum *sum;
+    /* J: elastic energy of the contacts with each wall, kept as it was when the wall went; NULL: all
+       walls stay */
+    struct dem_sum *wall_elastic;
     struct dem_energy_balance_scratch *scratch;
     int items;
     /* as reported last */
@@ -133,6 +137,10 @@ struct dem_energy_balance
 /* Before the first sweep, with the final interaction table. */
 int dem_energy_balance_open(struct dem_energy_balance *, const struct dem_interaction_table *);
 void dem_energy_balance_free(struct dem_energy_balance *);
+
+/* After it, where walls come and go: the springs of contacts with a wall that goes count as lost. */
+struct dem_walls;
+int dem_energy_balance_watch_walls(struct dem_energy_balance *, const struct dem_walls *);
 
 /* Collective. After a sweep that summed elastic energies: the present total becomes the reference
    of the residual. */
@@ -160,7 +168,7 @@ struct dem_energy_balance_rows    /* one effect applied to a batch */
 
 /* Before the first batch of a sweep; before the first effect of a batch (`link` is not used);
    before and after each effect. */
-void dem_energy_balance_begin_sweep(struct dem_energy_balance *);
+void dem_energy_balance_begin_sweep(struct dem_state *);
 void dem_energy_balance_begin_batch(struct dem_state *, const struct dem_contact_workspace *,
                                     const struct dem_energy_balance_rows *);
 void dem_energy_balance_before_effect(struct dem_state *, const struct dem_contact_workspace *,

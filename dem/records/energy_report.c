@@ -124,6 +124,24 @@ static double report_bodies(struct dem_state *p)
     return total;
 }
 
+/* The springs of contacts with walls that have gone. */
+static double report_gone(struct dem_state *p)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+    double total = 0.0;
+
+    if (!l->wall_elastic)
+    {
+        return 0.0;
+    }
+    for (int k = 0; k < p->walls.walls; k++)
+    {
+        total += p->walls.wall[k].absent ? value_of(p, &l->wall_elastic[k]) : 0.0;
+    }
+    add_term(l, "lost_removed", "", total);
+    return total;
+}
+
 static int has_stage(const struct dem_interaction_table *r, enum dem_stage stage)
 {
     int has = 0;
@@ -199,6 +217,7 @@ static double report_all(struct dem_state *p)
     const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
                  left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
     const double driven = value_of(p, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
+    const double cell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_CELL]);
     const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
     const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
@@ -214,6 +233,7 @@ static double report_all(struct dem_state *p)
         add_term(l, potential->name, "", -fell);
     }
     total = kinetic[0] + kinetic[1] - fell + report_contacts(p);
+    total += report_gone(p);
     if (has_stage(&p->interaction_table, DEM_STAGE_BOND))
     {
         add_term(l, "broken", "", broken);
@@ -230,11 +250,15 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "work_driven", "", driven);
     }
+    if (p->cell.active)
+    {
+        add_term(l, "work_cell", "", cell);
+    }
     if (p->applied_forces.n > 0 || p->applied_forces.program.worked)
     {
         add_term(l, "work_forces", "", applied);
     }
-    total += broken - walls - applied - driven + report_bodies(p);
+    total += broken - walls - applied - driven - cell + report_bodies(p);
     if (p->domain.remove || l->flows)
     {
         add_term(l, "left", "", left);

@@ -17,6 +17,7 @@
 #include "contacts/contact_batch.h"
 #include "core/vec.h"
 #include "particles/scalars.h"
+#include "records/cell_stress.h"
 #include "records/energy_balance.h"
 #include "records/wall_statistics.h"
 #include "ranks/dem_state.h"
@@ -87,11 +88,13 @@ void dem_energy_balance_after_drift(struct dem_state *p, double dt)
     gravity_work(p, dt);
     driven_work(p, 0.5*dt, dt);
     wall_work(p, 0.5*dt, 1);
+    dem_cell_add_work(p, 0.5*dt);
 }
 
 void dem_energy_balance_after_sweep(struct dem_state *p, double dt)
 {
     wall_work(p, 0.5*dt, 0);
+    dem_cell_add_work(p, 0.5*dt);
     driven_work(p, 0.5*dt, 0.0);
 }
 

@@ -114,7 +114,8 @@ static int is_valid(const struct dem_snapshot_wall *w, int64_t facets)
     return dem_snapshot_is_name(w->name, sizeof w->name) && w->facets >= 0 && w->first_facet >= 0
         && w->facets <= INT_MAX && w->first_facet <= facets - w->facets && facets <= INT_MAX
         && is_finite(w->form, DEM_WALL_FORM) && m->kind >= DEM_MOTION_REST
-        && m->kind <= DEM_MOTION_OSCILLATION && !isnan(m->end) && is_below_limit(m->start)
+        && m->kind <= DEM_MOTION_OSCILLATION && !isnan(m->end)
+        && (m->stage[0] ? !isnan(m->start) : is_below_limit(m->start))
         && is_finite(m->velocity, 3) && is_finite(m->amplitude, 3) && is_below_limit(m->frequency)
         && is_below_limit(m->phase) && is_finite(m->origin, 3) && is_finite(m->axis, 3)
         && is_below_limit(m->omega) && is_finite(&w->base.rotation[0][0], 9)

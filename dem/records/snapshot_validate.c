@@ -122,7 +122,7 @@ static int check_times(const char *path, const struct dem_snapshot_header *h)
 static int check_flow(const char *path, const struct dem_snapshot_flow *f)
 {
     const double number[] = {f->mass, f->momentum[0], f->momentum[1], f->momentum[2], f->energy,
-                             f->rate, f->start, f->owed, f->since, f->last};
+                             f->rate, f->owed, f->since, f->last};
 
     for (size_t k = 0; k < sizeof number/sizeof *number; k++)
     {
@@ -132,9 +132,9 @@ static int check_flow(const char *path, const struct dem_snapshot_flow *f)
             path, k + 1, f->name, number[k]);
     }
     DEM_REQUIRE(
-        is_count(f->count) && !isnan(f->end), DEM_ERROR_FILE,
-        "%s is damaged: the flow record of %s has %lld particles, until %g s; use another one",
-        path, f->name, (long long)f->count, f->end);
+        is_count(f->count) && !isnan(f->start) && !isnan(f->end), DEM_ERROR_FILE,
+        "%s is damaged: the flow record of %s has %lld particles, from %g to %g s; use another one",
+        path, f->name, (long long)f->count, f->start, f->end);
     return DEM_OK;
 }
 

@@ -14,6 +14,8 @@
 #include "core/memory.h"
 #include "records/snapshot.h"
 #include "ranks/agree.h"
+#include "run/stage_tests.h"
+#include "step/cell_motion.h"
 #include "step/fall_check.h"
 #include "step/step.h"
 #include "step/step_backup.h"
@@ -68,6 +70,17 @@ int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *tria
     return dem_api_move_wall(d, wall, 0);
 }
 
+/* One window of equal steps, or the rest of one that was stopped. */
+static int advance_window(struct dem *d, double duration)
+{
+    const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
+
+    return continues_window(d, duration)
+               ? dem_step_continue(&d->state)
+               : dem_step_window(&d->state, duration/(double)(steps > 0 ? steps : 1),
+                                 steps > 0 ? steps : 1);
+}
+
 int dem_advance(struct dem *d, double duration)
 {
     fenv_t caller;
@@ -80,13 +93,10 @@ int dem_advance(struct dem *d, double duration)
                 "%g s at steps of %g s are more than %g steps; give a longer step or a shorter "
                 "time",
                 duration, d->step, max_steps);
-    const int64_t steps = (int64_t)ceil(duration/d->step*(1.0 - 1e-12));
-
     feholdexcept(&caller);
-    int status = continues_window(d, duration)
-                   ? dem_step_continue(&d->state)
-                   : dem_step_window(&d->state, duration/(double)(steps > 0 ? steps : 1),
-                                     steps > 0 ? steps : 1);
+    int status = d->scene.stages.n > 0 || d->state.walls.passing > 0
+                   ? dem_stages_advance(d, duration, advance_window)
+                   : advance_window(d, duration);
 
     status = status ? status : dem_fall_check(&d->state);
     fesetenv(&caller);
@@ -232,5 +242,13 @@ int dem_restore(struct dem *d, double *time)
     p->limits.overlap = 0.0;
     p->stale = 2;
     p->window.half_step_ahead = 0;
+    if (p->cell.active)
+    {
+        memcpy(p->cell.rate, p->cell.backup[1], sizeof p->cell.rate);
+        memcpy(p->cell.integral, p->cell.backup[2], sizeof p->cell.integral);
+        dem_cell_set_lengths(p, p->cell.backup[0]);
+    }
+    dem_stages_rewind(d);
+    (void)dem_walls_come_and_go(&p->walls, p->time);
     return DEM_OK;
 }

@@ -27,6 +27,9 @@ int dem_edit_check_state(const struct dem *d, const char *call)
     DEM_REQUIRE(!d->coupled, DEM_ERROR_STATE,
                 "%s: the run is coupled with a fluid, which has to know of all particles; use "
                 "streams and outlets", call);
+    DEM_REQUIRE(!d->state.cell.active, DEM_ERROR_STATE,
+                "%s: the periodic cell deforms, and velocities are relative to it; make the edit before "
+                "it does", call);
     DEM_REQUIRE(!w->half_step_ahead, DEM_ERROR_STATE,
                 "%s: the last advance was stopped before its end; advance by the rest of it, %.17g "
                 "s, first", call, w->start + w->length - d->state.time);

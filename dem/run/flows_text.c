@@ -26,11 +26,11 @@ static void write_inlet(struct dem_text *t, const struct dem_inlet_shape *m)
 
 static void write_limits(struct dem_text *t, const struct dem_stream *s)
 {
-    if (s->start > 0.0)
+    if (s->start > 0.0 && isfinite(s->start))
     {
         dem_text_add(t, ", from %g s", s->start);
     }
-    if (isfinite(s->end))
+    if (isfinite(s->end) && !s->at_once)
     {
         dem_text_add(t, ", until %g s", s->end);
     }
@@ -50,9 +50,9 @@ static void write_stream(struct dem_text *t, const struct dem_interaction_table 
     const double each = dem_stream_mean_mass(s, r),
                  rate = s->by_mass ? s->rate/each : s->rate;
 
-    dem_text_add(t, "    %-18s in: %.4g particles a second, %.4g kg/s of %s, diameter %g", s->name,
-                 rate, rate*each, r->material[s->material].name,
-                 s->sizes.min);
+    dem_text_add(t, s->at_once ? "    %-18s in: %.4g particles at once, %.4g kg of %s, diameter %g"
+                               : "    %-18s in: %.4g particles a second, %.4g kg/s of %s, diameter %g",
+                 s->name, rate, rate*each, r->material[s->material].name, s->sizes.min);
     if (s->sizes.max > s->sizes.min)
     {
         dem_text_add(t, " to %g", s->sizes.max);
@@ -75,7 +75,7 @@ void dem_flows_text_add(struct dem_text *t, const struct dem *d)
 {
     const struct dem_streams *const s = &d->scene.streams;
 
-    if (s->streams + s->outlets == 0)
+    if (s->streams + s->outlets + s->planes == 0)
     {
         return;
     }
@@ -96,5 +96,9 @@ void dem_flows_text_add(struct dem_text *t, const struct dem *d)
                      o->patch ? o->patch
                      : o->plane || o->wall ? ""
                                            : dem_insertion_shape_name(&o->shape));
+    }
+    for (int k = 0; k < s->planes; k++)
+    {
+        dem_text_add(t, "    %-18s counts what passes it\n", s->plane[k].name);
     }
 }

@@ -11,10 +11,12 @@
 #include "device/device_steps.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "records/cell_stress.h"
 #include "records/totals.h"
 #include "records/virial.h"
 #include "run/effects_table.h"
 #include "ranks/collect.h"
+#include "sources/residence.h"
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -39,6 +41,14 @@ struct dem_step_limit dem_step_limit(const struct dem *d)
     return s;
 }
 
+static int way_of(const struct dem_snapshot_flow *f)
+{
+    return f->kind == DEM_FLOW_OUTLET ? DEM_FLOW_WAY_OUT
+         : f->kind == DEM_FLOW_FORTH  ? DEM_FLOW_WAY_FORTH
+         : f->kind == DEM_FLOW_BACK   ? DEM_FLOW_WAY_BACK
+                                      : DEM_FLOW_WAY_IN;
+}
+
 int dem_totals(struct dem *d, struct dem_totals *t)
 {
     const struct dem_flows *const f = d->state.flows;
@@ -46,7 +56,10 @@ int dem_totals(struct dem *d, struct dem_totals *t)
     dem_totals_tally(&d->state, t);
     for (int k = 0; k < f->n; k++)
     {
-        *(f->flow[k].kind != DEM_FLOW_OUTLET ? &t->inserted : &t->removed) += f->flow[k].count;
+        const int way = way_of(&f->flow[k]);
+
+        t->inserted += way == DEM_FLOW_WAY_IN ? f->flow[k].count : 0;
+        t->removed += way == DEM_FLOW_WAY_OUT ? f->flow[k].count : 0;
     }
     return dem_collect_status(&d->state.decomposition);
 }
@@ -75,6 +88,32 @@ int dem_energy(struct dem *d, double *since, int *n, const struct dem_energy_ite
     *since = d->state.energy_balance->since;
     *n = d->state.energy_balance->items;
     *item = d->state.energy_balance->item;
+    return dem_collect_status(&d->state.decomposition);
+}
+
+const struct dem_residence *dem_residence(const struct dem *d, int k)
+{
+    return k >= 0 && k < d->state.flows->n ? dem_residence_of(d->state.flows, k) : NULL;
+}
+
+int dem_has_cell(const struct dem *d)
+{
+    return d->state.cell.active;
+}
+
+int dem_cell(struct dem *d, struct dem_cell_now *now)
+{
+    struct dem_cell_measured m;
+
+    DEM_REQUIRE(d->state.cell.active, DEM_ERROR_STATE,
+                "dem_cell: the scene has no cell that deforms; add domain/cell");
+    dem_cell_measure(&d->state, &m);
+    *now = (struct dem_cell_now){.solid = m.solid/m.volume, .contacts = m.contacts};
+    memcpy(now->length, d->state.domain.length, sizeof now->length);
+    memcpy(now->rate, d->state.cell.flow, sizeof now->rate);
+    memcpy(now->stress, m.stress, sizeof now->stress);
+    memcpy(now->fabric, m.fabric, sizeof now->fabric);
+    memcpy(now->modulus, m.modulus, sizeof now->modulus);
     return dem_collect_status(&d->state.decomposition);
 }
 
@@ -157,12 +196,12 @@ int dem_flows(struct dem *d, int *n, const struct dem_flow **flow)
 
         d->flow[k] =
             (struct dem_flow){.name = row->name,
-                              .enters = row->kind != DEM_FLOW_OUTLET,
+                              .enters = way_of(row),
                               .particles = row->count,
                               .mass = row->mass,
                               .momentum = {row->momentum[0], row->momentum[1], row->momentum[2]},
                               .energy = row->energy};
-        d->flow[k].waiting = d->flow[k].enters ? count_waiting(d, k) : 0;
+        d->flow[k].waiting = d->flow[k].enters == DEM_FLOW_WAY_IN ? count_waiting(d, k) : 0;
     }
     *flow = d->flow;
     return DEM_OK;

@@ -9,6 +9,7 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "core/vec.h"
+#include <math.h>
 
 static int append(const struct dem_table *table, const struct dem *d, const char *columns,
                   struct dem_text *rows)
@@ -78,6 +79,7 @@ int dem_flow_sums_set(struct dem_flow_sums *s, struct dem *d, double now)
 int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now,
                         struct dem_flow_sums *last)
 {
+    static const char *const way[] = {"out", "in", "forth", "back"};
     const double over = now > last->time ? 1.0/(now - last->time) : 0.0;
     const struct dem_flow *flow;
     struct dem_text t = {0};
@@ -89,7 +91,7 @@ int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now
         const struct dem_flow *const w = &flow[k];
 
         dem_text_add(&t, "%.10g,%s,%s,%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%lld,%.9g,%.9g\n", now, w->name,
-                     w->enters ? "in" : "out", (long long)w->particles, w->mass, w->momentum[0],
+                     way[w->enters], (long long)w->particles, w->mass, w->momentum[0],
                      w->momentum[1], w->momentum[2], w->energy, (long long)w->waiting,
                      over*((double)w->particles - last->particles[k]),
                      over*(w->mass - last->mass[k]));
@@ -103,6 +105,70 @@ int dem_table_add_flows(const struct dem_table *table, struct dem *d, double now
     return append(table, d,
                   "time[s],name,way,particles,mass[kg],px[Ns],py[Ns],pz[Ns],energy[J],waiting,"
                   "rate[1/s],massRate[kg/s]",
+                  &t);
+}
+
+int dem_table_add_residence(const struct dem_table *table, struct dem *d, double now)
+{
+    const struct dem_flow *flow;
+    struct dem_text t = {0}, columns = {0};
+    int n;
+
+    DEM_TRY(dem_flows(d, &n, &flow));
+    dem_text_add(&columns, "time[s],name,particles,mean[s],variance[s2],end[s]");
+    for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
+    {
+        dem_text_add(&columns, ",bin%d", b);
+    }
+    for (int k = 0; k < n; k++)
+    {
+        const struct dem_residence *const r = dem_residence(d, k);
+
+        if (r)
+        {
+            const double over = r->particles > 0 ? 1.0/(double)r->particles : 0.0, mean = over*r->sum;
+
+            dem_text_add(&t, "%.10g,%s,%lld,%.9g,%.9g,%.9g", now, flow[k].name, (long long)r->particles, mean,
+                         fmax(over*r->squares - mean*mean, 0.0), r->end);
+            for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
+            {
+                dem_text_add(&t, ",%lld", (long long)r->bin[b]);
+            }
+            dem_text_add(&t, "\n");
+        }
+    }
+    const int status = columns.status ? columns.status : append(table, d, columns.text, &t);
+
+    dem_text_free(&columns);
+    return status;
+}
+
+/* ---- cell ------------------------------------------------------------------------------------ */
+
+int dem_table_add_cell(const struct dem_table *table, struct dem *d, double now)
+{
+    struct dem_text t = {0};
+    struct dem_cell_now c;
+
+    DEM_TRY(dem_cell(d, &c));
+    if (!table)
+    {
+        return DEM_OK;
+    }
+    dem_text_add(&t, "%.10g,%.12g,%.12g,%.12g,%.9g,%.9g,%.9g", now, c.length[0], c.length[1], c.length[2],
+                 c.rate[0], c.rate[1], c.rate[2]);
+    for (int k = 0; k < 6; k++)
+    {
+        dem_text_add(&t, ",%.9g", c.stress[k]);
+    }
+    for (int k = 0; k < 6; k++)
+    {
+        dem_text_add(&t, ",%.9g", c.fabric[k]);
+    }
+    dem_text_add(&t, ",%.9g,%.0f\n", c.solid, c.contacts);
+    return append(table, d,
+                  "time[s],Lx[m],Ly[m],Lz[m],Dxx[1/s],Dyy[1/s],Dzz[1/s],sxx[Pa],syy[Pa],szz[Pa],sxy[Pa],"
+                  "syz[Pa],szx[Pa],Fxx,Fyy,Fzz,Fxy,Fyz,Fzx,solidFraction,contacts",
                   &t);
 }
 

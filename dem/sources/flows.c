@@ -14,12 +14,15 @@
 #include "particles/scalars.h"
 #include "particles/uniform_fluid.h"
 #include "records/energy_balance.h"
+#include "sources/residence.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 void dem_flows_free(struct dem_flows *f)
 {
+    dem_residence_free(f);
     dem_memory_free(f->arrival);
     dem_memory_free(f->departure);
     memset(f, 0, sizeof *f);
@@ -38,6 +41,15 @@ static double inserted_so_far(const struct dem_snapshot_flow *row)
     return row->kind == DEM_FLOW_MASS_STREAM ? row->mass : (double)row->count;
 }
 
+/* Both are streams, or both the same. */
+static int is_like(int64_t a, int64_t b)
+{
+    const int streams[2] = {a == DEM_FLOW_STREAM || a == DEM_FLOW_MASS_STREAM,
+                            b == DEM_FLOW_STREAM || b == DEM_FLOW_MASS_STREAM};
+
+    return a == b || (streams[0] && streams[1]);
+}
+
 /* Continue a flow from a snapshot. A stream whose rate or times were changed keeps the amount due
    and continues with the new ones. A stream that changed from particles to kilograms, or back,
    begins with nothing due. */
@@ -48,8 +60,7 @@ static void resume(struct dem_snapshot_flow *row, const struct dem_stream *s,
     {
         const struct dem_snapshot_flow *const old = &from->flow[k];
 
-        if (strcmp(old->name, row->name) == 0 &&
-            (old->kind == DEM_FLOW_OUTLET) == (row->kind == DEM_FLOW_OUTLET))
+        if (strcmp(old->name, row->name) == 0 && is_like(old->kind, row->kind))
         {
             const struct dem_snapshot_flow new = *row;
 
@@ -58,6 +69,7 @@ static void resume(struct dem_snapshot_flow *row, const struct dem_stream *s,
                       old->end != new.end))
             {
                 const struct dem_stream before = {
+                    .at_once = s->at_once,
                     .rate = old->rate,
                     .start = old->start,
                     .end = old->end};
@@ -111,7 +123,8 @@ int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
         f->flow[k].rate = s->rate;
         f->flow[k].start = s->start;
         f->flow[k].end = s->end;
-        f->flow[k].since = f->flow[k].last = p->time;
+        f->flow[k].since = s->at_once ? fmin(p->time, s->start) : p->time;
+        f->flow[k].last = p->time;
         resume(&f->flow[k], s, from, p->time);
     }
     for (int k = 0; k < plan->outlets; k++)
@@ -119,11 +132,16 @@ int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
         add_flow(f, plan->outlet[k].name, DEM_FLOW_OUTLET);
         resume(&f->flow[f->n - 1], NULL, from, p->time);
     }
+    for (int k = 0; k < 2*plan->planes; k++)
+    {
+        add_flow(f, plan->plane[k/2].name, k%2 ? DEM_FLOW_BACK : DEM_FLOW_FORTH);
+        resume(&f->flow[f->n - 1], NULL, from, p->time);
+    }
     if (f->n == 0)
     {
         return DEM_OK;
     }
-    p->energy_balance->flows = 1;
+    p->energy_balance->flows = plan->streams + plan->outlets > 0;
     if (!from || from->flows == 0)
     {
         dem_flows_end_check(p);
@@ -144,6 +162,10 @@ void dem_flows_begin_columns(struct dem_state *p, size_t i, const struct dem_uni
 
     dem_scalars_begin_particle(all, &p->interaction_table, i);
     dem_uniform_fluid_fill(all, i, fluid, 0.0);
+    if (dem_column(all, DEM_COLUMN_BIRTH))
+    {
+        dem_column(all, DEM_COLUMN_BIRTH)[i] = p->time;
+    }
     if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
         memcpy(dem_column(all, DEM_COLUMN_START_VELOCITY) + 3*i, q->v, sizeof q->v);
@@ -238,7 +260,8 @@ static int by_id(const void *a, const void *b)
 {
     const struct dem_departure *const p = a, *const q = b;
 
-    return (p->id > q->id) - (p->id < q->id);
+    return p->id != q->id ? (p->id > q->id) - (p->id < q->id)
+                          : (p->flow > q->flow) - (p->flow < q->flow);
 }
 
 int dem_flows_sum_departures(struct dem_state *p)
@@ -263,6 +286,7 @@ int dem_flows_sum_departures(struct dem_state *p)
         struct dem_snapshot_flow *const row = &f->flow[all[k].flow];
 
         row->count++;
+        dem_residence_add(f, all[k].flow, all[k].age);
         row->mass += all[k].mass;
         row->energy += all[k].energy;
         for (int a = 0; a < 3; a++)
@@ -293,6 +317,7 @@ void dem_flows_backup(struct dem_flows *f)
 {
     memcpy(f->backup, f->flow, sizeof f->backup);
     memcpy(f->backup_contact_force, f->contact_force, sizeof f->backup_contact_force);
+    dem_residence_backup(f);
     f->backup_id = f->next_id;
 }
 
@@ -300,6 +325,7 @@ void dem_flows_restore(struct dem_flows *f)
 {
     memcpy(f->flow, f->backup, sizeof f->flow);
     memcpy(f->contact_force, f->backup_contact_force, sizeof f->contact_force);
+    dem_residence_restore(f);
     f->next_id = f->backup_id;
     f->arrivals = f->departures = 0;
     f->now = f->left = 0;

@@ -25,6 +25,9 @@
  * from a list sorted by id. A particle counts with its momentum at the time of its position: in a
  * step, the momentum after the last kick plus half a step of gravity.
  *
+ * Planes. A particle counts in a check when the line from its position at the last check goes through
+ * the plane or disc, forth and back in rows of their own.
+ *
  * A run without streams and outlets tests one number a step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -45,6 +48,8 @@ enum
     DEM_FLOW_STREAM = 1,                                  /* kinds, as stored in snapshots */
     DEM_FLOW_OUTLET = 2,
     DEM_FLOW_MASS_STREAM = 3,                                  /* a stream with a mass rate */
+    DEM_FLOW_FORTH = 4,                                   /* through a plane, along its normal */
+    DEM_FLOW_BACK = 5,                                    /* and against it */
     DEM_FLOW_NONE = -1,
     DEM_FLOW_DOMAIN = -2                                  /* out by leaving the domain */
 };
@@ -61,6 +66,7 @@ struct dem_departure
     int64_t id;
     int flow;                          /* its index in `flow` */
     double mass, momentum[3], energy;  /* kg, kg m/s, J */
+    double age;                        /* s  since its entry, where an outlet asks */
     double contact_force[3];                    /* N  contact force, whose reaction acts on
                                           the partners for another half step */
 };
@@ -83,6 +89,7 @@ struct dem_flows
     size_t arrivals, arrival_capacity, departures, departure_capacity;
     struct dem_arrival *arrival;            /* the same on all ranks, until they are inserted */
     struct dem_departure *departure;        /* of this rank, until they are summed */
+    struct dem_residence *residence;        /* of each flow, then the backup; NULL: no outlet asks */
     const struct dem_uniform_fluid *fluid;  /* of the scene, for inserted particles */
 };
 
@@ -133,6 +140,14 @@ int dem_flows_outlet(const struct dem_state *, size_t i);
 
 /* Index of the outlet that contains a position in the domain [m], or DEM_FLOW_NONE. */
 int dem_flows_outlet_at(const struct dem_flows *, const double x[3]);
+
+/* How often particle i has passed each plane since the last check: times forth less times back. Returns 0
+   when its path is not known. */
+int dem_flows_planes_passed(const struct dem_state *, size_t i, int passed[DEM_SNAPSHOT_FLOWS]);
+
+/* Collective, at the begin of a check: count the particles that have passed planes since the last one.
+   `late` [s]: by how much velocities are behind positions. */
+int dem_flows_count_passages(struct dem_state *, double late);
 
 /* At the end of a check: the present position of each owned particle is its last one. */
 void dem_flows_end_check(struct dem_state *);

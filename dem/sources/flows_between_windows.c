@@ -17,6 +17,7 @@
 #include "ranks/dem_state.h"
 #include "records/energy_balance.h"
 #include "records/wall_statistics.h"
+#include "sources/residence.h"
 #include <stdlib.h>
 
 static int by_id(const void *a, const void *b)
@@ -54,6 +55,7 @@ static int remove_particle(struct dem_state *p, size_t i, int flow)
     struct dem_flows *const f = p->flows;
 
     DEM_TRY(dem_flows_record_departure(p, flow, &p->particles.record[i], 0.0));
+    dem_residence_record(p, i);
     struct dem_departure *const new = &f->departure[f->departures - 1];
 
     for (size_t k = 0; k < 3; k++)
@@ -122,6 +124,7 @@ int dem_flows_between_windows(struct dem_state *p, size_t n, struct dem_outgoing
     {
         return DEM_OK;
     }
+    DEM_TRY(dem_flows_count_passages(p, 0.0));
     dem_sort_by(outgoing, n, sizeof *outgoing, by_id);
     int status = DEM_NEW(order, p->particles.n + 1);
 

@@ -127,8 +127,9 @@ int dem_insert_is_stream(const struct dem_dict *group)
 {
     const char *type = "";
 
-    return dem_dict_has(group, "type") && dem_dict_word(group, "type", &type) == DEM_OK
-        && strcmp(type, "stream") == 0;
+    return dem_dict_has(group, "at")
+        || (dem_dict_has(group, "type") && dem_dict_word(group, "type", &type) == DEM_OK
+            && strcmp(type, "stream") == 0);
 }
 
 int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,

@@ -1,6 +1,6 @@
 /*
- * outlet_path.c -- the outlet that a particle has met on the straight line from its position at the
- * last check.
+ * outlet_path.c -- the outlet that a particle has met, and the planes that it has passed, on the straight
+ * line from its position at the last check.
  *
  * The column DEM_COLUMN_CHECKED_POSITION holds this position and the image counter that belongs to
  * it. With the counters the displacement is exact along periodic axes, whenever the particle was
@@ -45,40 +45,49 @@ static int is_wrapped(const struct dem_domain *d, const double x[3])
     return wrapped;
 }
 
+struct path               /* of a particle since the last check, through images of the domain */
+{
+    const struct dem_flows *flows;
+    double from[3], step[3];
+    int outlet;                            /* the first that it meets */
+    int planes, passed[DEM_SNAPSHOT_FLOWS];  /* of each plane: times forth less times back */
+};
+
 /* Test the part of the path that lies in the domain when it is shifted by `at` boxes. */
-static int outlet_in_image(const struct dem_flows *f, const struct dem_domain *d,
-                           const double from[3], const double step[3], const int at[3])
+static void test_image(struct path *p, const struct dem_domain *d, const int at[3])
 {
     double part[2] = {0.0, 1.0}, image[3];
 
     for (int k = 0; k < 3; k++)
     {
-        image[k] = from[k] + at[k]*d->length[k];
+        image[k] = p->from[k] + at[k]*d->length[k];
         if (d->periodic[k] &&
-            !dem_insertion_shape_clip(image[k], step[k], d->min[k], d->max[k], part))
+            !dem_insertion_shape_clip(image[k], p->step[k], d->min[k], d->max[k], part))
         {
-            return DEM_FLOW_NONE;
+            return;
         }
     }
-    for (int k = 0; k < f->plan->outlets; k++)
+    for (int k = 0; k < p->flows->plan->outlets && !p->planes && p->outlet == DEM_FLOW_NONE; k++)
     {
-        if (dem_outlet_meets(&f->plan->outlet[k], image, step, part))
+        if (dem_outlet_meets(&p->flows->plan->outlet[k], image, p->step, part))
         {
-            return f->plan->streams + k;
+            p->outlet = p->flows->plan->streams + k;
         }
     }
-    return DEM_FLOW_NONE;
+    for (int k = 0; k < p->planes; k++)
+    {
+        p->passed[k] += dem_flow_plane_crossed(&p->flows->plan->plane[k], image, p->step, part);
+    }
 }
 
-static int outlet_on_path(const struct dem_flows *f, const struct dem_domain *d,
-                          const double from[3], const double step[3])
+static void test_path(struct path *p, const struct dem_domain *d)
 {
-    int first[3] = {0, 0, 0}, last[3] = {0, 0, 0}, at[3], outlet = DEM_FLOW_NONE;
+    int first[3] = {0, 0, 0}, last[3] = {0, 0, 0}, at[3];
 
     for (int k = 0; k < 3; k++)
     {
-        const double low = fmin(from[k], from[k] + step[k]),
-                     high = fmax(from[k], from[k] + step[k]);
+        const double low = fmin(p->from[k], p->from[k] + p->step[k]),
+                     high = fmax(p->from[k], p->from[k] + p->step[k]);
 
         if (d->periodic[k])
         {
@@ -90,20 +99,44 @@ static int outlet_on_path(const struct dem_flows *f, const struct dem_domain *d,
     {
         for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
         {
-            for (at[0] = first[0]; at[0] <= last[0] && outlet == DEM_FLOW_NONE; at[0]++)
+            for (at[0] = first[0]; at[0] <= last[0]; at[0]++)
             {
-                outlet = outlet_in_image(f, d, from, step, at);
+                test_image(p, d, at);
             }
         }
     }
-    return outlet;
+}
+
+/* The path of particle i, which is wrapped in q. Returns 0 when it is not known. */
+static int begin_path(const struct dem_state *p, size_t i, const struct dem_particle *q,
+                      struct path *path)
+{
+    const double *const column = dem_column(&p->particles, DEM_COLUMN_CHECKED_POSITION);
+
+    if (!column || column[LAST*i + 3] <= 0.0 || !is_wrapped(&p->domain, q->x))
+    {
+        return 0;
+    }
+    *path = (struct path){.flows = p->flows, .outlet = DEM_FLOW_NONE};
+    for (size_t k = 0; k < 3; k++)
+    {
+        const uint32_t image = (uint32_t)(column[LAST*i + 3] - 1.0);
+
+        path->step[k] = q->x[k] - column[LAST*i + k];
+        /* the centre of a body has no counter; it moves by less than half a box between checks */
+        path->step[k] += q->body == 0 ? dem_image_difference(q->image, image, (int)k)*p->domain.length[k]
+                         : p->domain.periodic[k]
+                             ? -p->domain.length[k]*rint(path->step[k]/p->domain.length[k])
+                             : 0.0;
+        path->from[k] = q->x[k] - path->step[k];
+    }
+    return 1;
 }
 
 int dem_flows_outlet(const struct dem_state *p, size_t i)
 {
-    const double *const column = dem_column(&p->particles, DEM_COLUMN_CHECKED_POSITION);
     struct dem_particle q = p->particles.record[i];
-    double from[3], step[3];
+    struct path path;
 
     if (p->flows->n == 0)
     {
@@ -113,24 +146,29 @@ int dem_flows_outlet(const struct dem_state *p, size_t i)
     dem_domain_wrap(&p->domain, &q);
     const int holds = dem_flows_outlet_at(p->flows, q.x);
 
-    if (holds != DEM_FLOW_NONE || !column || column[LAST*i + 3] <= 0.0 ||
-        !is_wrapped(&p->domain, q.x))
+    if (holds != DEM_FLOW_NONE || p->flows->plan->outlets == 0 || !begin_path(p, i, &q, &path))
     {
         return holds;
     }
-    for (size_t k = 0; k < 3; k++)
-    {
-        const uint32_t image = (uint32_t)(column[LAST*i + 3] - 1.0);
+    test_path(&path, &p->domain);
+    return path.outlet;
+}
 
-        step[k] = q.x[k] - column[LAST*i + k];
-        /* the centre of a body has no counter; it moves by less than half a box between checks */
-        step[k] += q.body == 0 ? dem_image_difference(q.image, image, (int)k)*p->domain.length[k]
-                   : p->domain.periodic[k]
-                       ? -p->domain.length[k]*rint(step[k]/p->domain.length[k])
-                       : 0.0;
-        from[k] = q.x[k] - step[k];
+int dem_flows_planes_passed(const struct dem_state *p, size_t i, int passed[DEM_SNAPSHOT_FLOWS])
+{
+    struct dem_particle q = p->particles.record[i];
+    struct path path;
+
+    memcpy(q.x, dem_clump_home(&p->particles, i), sizeof q.x);
+    dem_domain_wrap(&p->domain, &q);
+    if (!begin_path(p, i, &q, &path))
+    {
+        return 0;
     }
-    return outlet_on_path(p->flows, &p->domain, from, step);
+    path.planes = p->flows->plan->planes;
+    test_path(&path, &p->domain);
+    memcpy(passed, path.passed, sizeof path.passed);
+    return 1;
 }
 
 void dem_flows_end_check(struct dem_state *p)

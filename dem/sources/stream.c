@@ -47,9 +47,10 @@ static int read_rate(struct dem_stream *s, const struct dem_dict *dict)
                             &s->rate));
     DEM_REQUIRE(s->rate > 0.0, DEM_ERROR_INPUT, "%s: %s %g; give a number above 0", s->where,
                 s->by_mass ? "massRate" : "rate", s->rate);
-    DEM_TRY(dem_dict_number_or(dict, "start", "s", 0.0, &s->start));
-    DEM_TRY(dem_dict_number_or(dict, "end", "s", INFINITY, &s->end));
-    DEM_REQUIRE(s->start < s->end, DEM_ERROR_INPUT,
+    DEM_TRY(dem_dict_time_or(dict, "start", 0.0, &s->start, &s->stage[0]));
+    DEM_TRY(dem_dict_time_or(dict, "end", INFINITY, &s->end, &s->stage[1]));
+    DEM_REQUIRE(s->stage[1] ? s->stage[0] < s->stage[1] : s->stage[0] || s->start < s->end,
+                DEM_ERROR_INPUT,
                 "%s: start %g s is not before end %g s; give an earlier one", s->where, s->start,
                 s->end);
     DEM_TRY(dem_dict_int64_or(dict, "count", INT64_MAX, &s->count));
@@ -126,13 +127,18 @@ static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
     DEM_TRY(read_name(s->name, dict, s->where));
     DEM_TRY(dem_material_entry_read(dict, r, &s->material));
     DEM_TRY(dem_dict_int64_or(dict, "seed", 1, &s->seed));
-    DEM_TRY(read_rate(s, dict));
-    DEM_TRY(dem_inlet_shape_read(&s->inlet, dict, s->where));
-    DEM_TRY(read_velocity(s, dict));
     DEM_TRY(dem_scalar_entries_read(dict, r, 1, s->scalar));
     DEM_TRY(dem_scalar_entries_parcel_ratio(r, s->scalar, s->where, &s->ratio));
     DEM_TRY(dem_size_distribution_read(&s->sizes, dict, s->ratio));
     DEM_TRY(check_masses(s, r));
+    if (strcmp(type, "stream") != 0)
+    {
+        DEM_TRY(dem_stream_read_group(s, dict, type, r, d));
+        return read_velocity(s, dict);
+    }
+    DEM_TRY(read_rate(s, dict));
+    DEM_TRY(dem_inlet_shape_read(&s->inlet, dict, s->where));
+    DEM_TRY(read_velocity(s, dict));
     return dem_inlet_shape_check(&s->inlet, d, 0.5*s->sizes.max, s->where);
 }
 
@@ -147,6 +153,9 @@ static int read_outlet(struct dem_outlet *o, const struct dem_dict *dict)
     memset(o, 0, sizeof *o);
     snprintf(where, sizeof where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(read_name(o->name, dict, where));
+    DEM_TRY(dem_dict_number_or(dict, "residence", "s", 0.0, &o->residence));
+    DEM_REQUIRE(o->residence > 0.0 || !dem_dict_has(dict, "residence"), DEM_ERROR_INPUT,
+                "%s: residence %g s; give the end of the histogram, above 0", where, o->residence);
     DEM_REQUIRE(
         shapes == 1, DEM_ERROR_INPUT,
         "%s: %s of min and max, cylinder, sphere, point and normal, patch; give one of them", where,
@@ -185,9 +194,9 @@ static int check_names(const struct dem_streams *s)
         }
     }
     /* one more is used for the domain */
-    DEM_REQUIRE(s->streams + s->outlets < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT,
-                "%d streams and %d outlets; the limit is %d in all; join some", s->streams,
-                s->outlets, DEM_SNAPSHOT_FLOWS - 1);
+    DEM_REQUIRE(s->streams + s->outlets + 2*s->planes < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT,
+                "%d streams and groups with `at`, %d outlets and %d planes, which count twice; the limit "
+                "is %d in all; join some", s->streams, s->outlets, s->planes, DEM_SNAPSHOT_FLOWS - 1);
     return DEM_OK;
 }
 
@@ -254,6 +263,7 @@ void dem_streams_free(struct dem_streams *s)
     }
     dem_memory_free(s->stream);
     dem_memory_free(s->outlet);
+    dem_memory_free(s->plane);
     memset(s, 0, sizeof *s);
 }
 
@@ -328,6 +338,10 @@ int dem_streams_check(const struct dem_streams *s, const struct dem_domain *d)
 
 double dem_stream_amount_due(const struct dem_stream *s, double since, double time)
 {
+    if (s->at_once)
+    {
+        return since <= s->start && time >= s->start ? s->rate : 0.0;
+    }
     return s->rate*fmax(0.0, fmin(time, s->end) - fmax(since, s->start));
 }
 
@@ -361,14 +375,18 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
 {
     const uint64_t seed = (uint64_t)s->seed, number = (uint64_t)t->number, step = (uint64_t)t->step,
                    use = USE_PLACE + 4*(uint64_t)t->trial;
-    size_t triangle;
+    size_t triangle = 0;
     double u[3], inward[3];
 
     for (unsigned k = 0; k < 3; k++)
     {
         u[k] = dem_random_unit(seed, number, step, use + k);
     }
-    if (!dem_inlet_shape_draw(&s->inlet, t->radius, u, x, &triangle))
+    if (s->positions)
+    {
+        memcpy(x, s->positions[t->number], 3*sizeof *x);
+    }
+    else if (!dem_inlet_shape_draw(&s->inlet, t->radius, u, x, &triangle))
     {
         return 0;
     }
@@ -391,7 +409,7 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
         start[k] += behind;
         x[k] += behind;
     }
-    return !s->inlet.patch || dem_vec_dot(v, inward) > 0.0;
+    return (!s->positions || t->trial == 0) && (!s->inlet.patch || dem_vec_dot(v, inward) > 0.0);
 }
 
 /* A box, cylinder or sphere. */
@@ -418,9 +436,20 @@ int dem_outlet_meets(const struct dem_outlet *o, const double from[3], const dou
     return is_region(o) && dem_insertion_shape_meets(&o->shape, from, step, part);
 }
 
-int dem_streams_have_regions(const struct dem_streams *s)
+int dem_streams_ask_residence(const struct dem_streams *s)
 {
     int any = 0;
+
+    for (int k = 0; k < s->outlets; k++)
+    {
+        any |= s->outlet[k].residence > 0.0;
+    }
+    return any;
+}
+
+int dem_streams_have_regions(const struct dem_streams *s)
+{
+    int any = s->planes > 0;
 
     for (int k = 0; k < s->outlets; k++)
     {

@@ -4,13 +4,19 @@
  *
  *     insert  { feed { type stream; rate 1000; | massRate 0.01; material; diameter; | sizes { }
  *                      velocity; spread; spin; start; end; count; mass; seed;
- *                      and an inlet (inlet_shape.h) } }
+ *                      and an inlet (inlet_shape.h) }
+ *               more { type random; at 0.5; count 1000; ... }
+ *               ball { type list; at 0.5; positions ((0 0 0.1)); diameter; velocity; } }
+ *     planes  { neck { point; normal; radius; } }
  *     outlets { drain { min; max; | cylinder { } | sphere { } | point; normal; | patch NAME; } }
  *
  * At time t a stream has rate (t - start) particles due, or massRate (t - start) kilograms; the
  * next particle is inserted when all of it is due. Number k of a stream has the diameter, velocity
  * and spin given by (seed, k), whenever it finds a free position, so that waiting changes no
  * distribution.
+ *
+ * A group of `insert` with a time `at` is a stream whose particles are all due then. Each has 200 random
+ * positions in the region to try at a check, or its own one of a list; it waits while none is free.
  *
  * Not here: free positions and totals (sources/flows.h).
  *
@@ -39,7 +45,10 @@ struct dem_stream
     struct dem_inlet_shape inlet;
     int64_t seed, count;                     /* count: limit of the number of particles */
     double rate, mass;                       /* 1/s or kg/s; limit of the mass, kg */
-    double start, end;                       /* s */
+    double start, end;                       /* s  infinite before the stage of the scene begins, */
+    int stage[2];                            /* from 1, that gives it; 0: none */
+    int at_once;                             /* 1: a group with `at`: `rate` particles are due at start */
+    const double (*positions)[3];            /* m  of a list, in the scene; NULL: trials in the inlet */
     double velocity[3], spread[3], spin[3];  /* m/s, 1/s; velocities are uniform
                                                 in velocity +- spread */
     int with_fluid;                          /* 1: with the velocity of the fluid at the patch */
@@ -55,14 +64,23 @@ struct dem_outlet
                                            normal in `from` and `axis` */
     const char *patch;                  /* name of the patch; NULL: not a patch */
     int wall;                           /* 1: counts what walls with `absorb yes` take */
+    double residence;                   /* s  end of the histogram of residence times; 0: none */
+};
+
+struct dem_flow_plane               /* counts what passes, and removes nothing */
+{
+    char name[DEM_FLOW_NAME];
+    double point[3], normal[3];     /* m, unit */
+    double radius;                  /* m  of a disc; infinite: the whole plane */
 };
 
 struct dem_streams
 {
-    int streams, outlets;
-    size_t stream_capacity, outlet_capacity;
+    int streams, outlets, planes;
+    size_t stream_capacity, outlet_capacity, plane_capacity;
     struct dem_stream *stream;
     struct dem_outlet *outlet;
+    struct dem_flow_plane *plane;
     int meshed;  /* 1: a program with a mesh handles patches */
 };
 
@@ -116,7 +134,21 @@ int dem_outlet_holds(const struct dem_outlet *, const double x[3]);
 int dem_outlet_meets(const struct dem_outlet *, const double from[3], const double step[3],
                      const double part[2]);
 
-/* 1 when any outlet is a region, which a fast particle may pass between two checks. */
+/* Read what a group with `at`, of this type, has instead of a rate and an inlet. */
+int dem_stream_read_group(struct dem_stream *, const struct dem_dict *, const char *type,
+                          const struct dem_interaction_table *, const struct dem_domain *);
+
+/* Read the planes that count, after streams and outlets. */
+int dem_streams_read_planes(struct dem_streams *, const struct dem_dict *planes);
+
+/* 1 when a part of a path goes through the plane along its normal, -1 against it, else 0. */
+int dem_flow_plane_crossed(const struct dem_flow_plane *, const double from[3], const double step[3],
+                           const double part[2]);
+
+/* 1 when any outlet asks for the residence time. */
+int dem_streams_ask_residence(const struct dem_streams *);
+
+/* 1 when any outlet is a region, which a fast particle may pass between two checks, or a plane counts. */
 int dem_streams_have_regions(const struct dem_streams *);
 
 #endif

@@ -12,6 +12,7 @@
 #include "core/math.h"
 #include "core/random.h"
 #include "contacts/geometry.h"
+#include "step/cell_motion.h"
 #include "step/gather_partners.h"
 #include "walls/wall_surface.h"
 #include <float.h>
@@ -341,6 +342,10 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     else
     {
         dem_gather_pairs(t, state, effects->needs, state->contacts.rows.partners + row);
+        if (state->cell.active)
+        {
+            dem_cell_add_velocities(state, t->batch.n, &t->gathered);
+        }
         if (effects->scalars)
         {
             give_frozen_pairs_mass(t);

@@ -18,7 +18,9 @@
 #include "records/lost_particles.h"
 #include "records/totals.h"
 #include "sources/flows.h"
+#include "sources/residence.h"
 #include "step/body_window.h"
+#include "step/cell_motion.h"
 #include "step/sweep_bodies.h"
 #include <math.h>
 
@@ -63,7 +65,9 @@ static int remove_at_outlet(struct dem_state *state, size_t i, int outlet)
     {
         dem_energy_balance_particle_out(state, &state->particles.record[i], 0.5*state->dt);
     }
-    return dem_flows_record_departure(state, outlet, &state->particles.record[i], 0.5*state->dt);
+    DEM_TRY(dem_flows_record_departure(state, outlet, &state->particles.record[i], 0.5*state->dt));
+    dem_residence_record(state, i);
+    return DEM_OK;
 }
 
 int dem_neighbor_removal_is_due(const struct dem_state *state)
@@ -221,6 +225,7 @@ int dem_neighbor_prune(struct dem_state *state, int rebuilt)
 
     state->prunes++;
     dem_walls_reset_marks(&state->walls, DEM_LIST_INNER);
+    dem_cell_list_made(state, DEM_LIST_INNER);
     status = dem_pairs_prune(&state->pairs, &state->particles, &state->walls, &state->contacts);
     if (!status && rebuilt)
     {
@@ -283,6 +288,7 @@ static int build_lists(struct dem_state *state, int status)
     status = status ? status : dem_wall_touches_reserve(&state->touches, &state->pairs.wall_search);
     DEM_TRY(dem_agree(state, status));
     dem_walls_reset_marks(&state->walls, DEM_LIST_OUTER);
+    dem_cell_list_made(state, DEM_LIST_OUTER);
     DEM_TRY(dem_neighbor_prune(state, 1));
     count_lists(state);
     return DEM_OK;

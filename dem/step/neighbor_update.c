@@ -22,6 +22,13 @@ static double used(const struct dem_state *state, enum dem_list list, double fur
     const struct dem_displacement *const d = &state->pairs.displacement[list];
     const double spread = d->spread + further;
 
+    if (d->deforms)
+    {
+        /* no walls there; displacements are of the lengths when the list was made */
+        return 2.0*spread*(1.0 + d->strain)
+             + d->strain*(2.0*state->pairs.max_radius + state->pairs.outer
+                          + state->interaction_table.reach);
+    }
     return spread + fmax(spread, dem_walls_max_displacement(&state->walls, list, d->centre));
 }
 
@@ -236,6 +243,7 @@ int dem_neighbor_update(struct dem_state *state, const double *moved, int n, int
     {
         const int checked = dem_flows_due(state);
 
+        DEM_TRY(checked ? dem_flows_count_passages(state, 0.5*state->dt) : DEM_OK);
         DEM_TRY(update_lists(state, moved, n, observed));
         if (checked)
         {

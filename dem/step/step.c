@@ -32,6 +32,7 @@
 #include "records/wall_statistics.h"
 #include "sources/flows.h"
 #include "step/body_window.h"
+#include "step/cell_motion.h"
 #include "step/drift.h"
 #include "step/eddies.h"
 #include "step/limits.h"
@@ -68,6 +69,10 @@ static double drift_particles(struct dem_state *state)
     {
         state->next_drift.done = 0;
         return state->next_drift.max_speed;
+    }
+    if (state->cell.active)
+    {
+        return dem_cell_drift(state, state->dt);
     }
     dem_clumps_drift(&state->clumps, &state->particles, &state->domain, state->dt);
     dem_drift_particles(state->particles.record, state->particles.n, state->dt, state->domain.round,
@@ -106,6 +111,7 @@ static int check_drift(struct dem_state *state, double max_speed, int status)
 {
     status = dem_unagreed_keep_error(&state->unagreed, status);
     status = status ? status : dem_limits_check_displacements(state, max_speed);
+    status = status || !state->cell.active ? status : dem_cell_check(state);
     status = dem_unagreed_keep_error(&state->unagreed, status);
     dem_timers_end_phase(state->timers, DEM_PHASE_DRIFT);
     return status;
@@ -194,7 +200,8 @@ static struct due what_is_due(const struct dem_state *state, int last)
                  state->steps >= state->backup.steps + state->backup.every && !last;
     due.fused = !due.backup && !state->energy_balance->open;
     due.observed = last || state->window.stopped || dem_column(&state->particles, DEM_COLUMN_CLUMP) ||
-    dem_grid_averages_due(state->averages, state->time);
+    dem_grid_averages_due(state->averages, state->time) ||
+    (state->cell.active && dem_cell_control_due(state));
     return due;
 }
 
@@ -218,7 +225,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *state, const 
         .contacts = &state->contacts,
         .sums_first = !due->fused,
         .unobserved = due->fused && !due->observed,
-        .round = flat ? NULL : state->domain.round,
+        .round = flat || state->cell.active ? NULL : state->domain.round,
         .applied = applied_forces(state),
         .time = state->time,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
@@ -363,8 +370,14 @@ static void finish_step(struct dem_state *state, double since, int last, int *st
     /* 5. sums, body and fluid forces, kick */
     *status = sum_and_kick(state, &due, &pass, *status);
 
-    /* 6. averages */
+    /* 6. averages; the rates of a cell */
     *status = sample_averages(state, *status);
+    if (state->cell.active && dem_cell_control_due(state))
+    {
+        const int measured = dem_cell_control(state);
+
+        *status = *status ? *status : measured;
+    }
 }
 
 /* Step k of the window, begun at `since` [s]; with a device, also those after it that it makes. *k:

@@ -9,6 +9,7 @@
 #include "sources/flows.h"
 #include "step/wall_bodies.h"
 #include <math.h>
+#include <string.h>
 
 /* 1 when a position, a velocity, a spin, a force or a torque is not a number. */
 static int has_invalid_number(const struct dem_particles *particles)
@@ -42,6 +43,9 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     }
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
     dem_flows_backup(state->flows);
+    memcpy(state->cell.backup[0], state->domain.length, sizeof state->domain.length);
+    memcpy(state->cell.backup[1], state->cell.rate, sizeof state->cell.rate);
+    memcpy(state->cell.backup[2], state->cell.integral, sizeof state->cell.integral);
     dem_wall_bodies_backup(state, half_kick ? half_kick->kick : 0.0);
     backup->time = state->time;
     backup->steps = state->steps;

@@ -247,7 +247,7 @@ int dem_sweep_contacts_and_bodies(struct dem_state *state, double dt, const doub
     }
     if (state->energy_balance->open)
     {
-        dem_energy_balance_begin_sweep(state->energy_balance);
+        dem_energy_balance_begin_sweep(state);
     }
     for (int walls = 1; walls >= 0; walls--)
     {

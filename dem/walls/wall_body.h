@@ -79,6 +79,7 @@ enum
 struct dem_wall_body
 {
     enum dem_wall_body_kind kind;
+    int16_t stage[2];                     /* of the scene that begin then, from 1; 0: none */
     double start, end;                    /* s  it rests before and after */
     int axes;                             /* number of free axes */
     double axis[3][3], origin[3];         /* unit, orthogonal; m  of a hinge */

@@ -219,7 +219,7 @@ int dem_walls_compare_images(struct dem_walls *w)
 static void travel(const struct dem_motion *m, int axis, double range[2])
 {
     const double v = m->velocity[axis], a = fabs(m->amplitude[axis]),
-                 end = v > 0.0 || v < 0.0 ? v*(m->end - m->start) : 0.0;
+                 end = v > 0.0 || v < 0.0 ? v*dem_motion_duration(m) : 0.0;
     const int swings = m->kind == DEM_MOTION_OSCILLATION;
 
     range[0] = swings ? -a : fmin(end, 0.0);
@@ -235,7 +235,7 @@ static void add_to_extent(double at, double extent[2])
 /* A point on its way round: along an axis it is at  middle + A cos(angle) + B sin(angle). */
 static void add_rotating(const struct dem_motion *m, const double x[3], int axis, double extent[2])
 {
-    const double turn = m->omega != 0.0 ? m->omega*(m->end - m->start) : 0.0,
+    const double turn = m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0,
                  whole = 6.28318530717958648;
     double d[3], across[3];
 

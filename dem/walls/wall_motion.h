@@ -26,6 +26,7 @@
 #define DEM_WALLS_WALL_MOTION_H
 
 #include "walls/pose.h"
+#include <stdint.h>
 
 enum dem_motion_kind
 {
@@ -43,7 +44,9 @@ enum dem_motion_kind
 struct dem_motion
 {
     enum dem_motion_kind kind;
-    double start, end;                      /* s */
+    int16_t stage[2];                       /* of the scene whose beginning start and end are, from 1;
+                                               0: none */
+    double start, end;                      /* s; infinite before that stage begins */
     double velocity[3];                     /* m/s  translation */
     double amplitude[3], frequency, phase;  /* m, 1/s, rad: oscillation */
     double origin[3], axis[3], omega;       /* m, unit, rad/s: rotation */
@@ -53,6 +56,8 @@ struct dem_motion
 static const struct dem_pose dem_pose_identity = {
     .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
+/* From start to end [s]; infinite where a stage decides. */
+double dem_motion_duration(const struct dem_motion *);
 /* Rotation by an angle [rad] about a unit axis through the origin. */
 void dem_pose_rotate(const double origin[3], const double axis[3], double angle, struct dem_pose *);
 

@@ -106,7 +106,8 @@ static int piece_passes(struct dem_wall_search *s, const struct dem_walls *w, in
     for (int r = 0; r < w->facets && w->facet[r].shape != DEM_SHAPE_TRIANGLES; r++)
     {
         *passes |= w->facet[r].shape != DEM_SHAPE_PLANE && w->facet[r].outside &&
-                   w->wall[w->facet[r].wall].frame == frame && meets_solid(&w->facet[r], from, to);
+                   w->wall[w->facet[r].wall].frame == frame &&
+                   !w->wall[w->facet[r].wall].absent && meets_solid(&w->facet[r], from, to);
     }
     if (w->triangles > 0)
     {
@@ -123,7 +124,7 @@ static int piece_passes(struct dem_wall_search *s, const struct dem_walls *w, in
         {
             double here[3], there[3];
 
-            *passes |= meets_triangle(&w->triangle[s->candidate[c]],
+            *passes |= !w->wall[w->triangle[s->candidate[c]].wall].absent && meets_triangle(&w->triangle[s->candidate[c]],
                                       dem_wall_from_candidate(s, w, (uint32_t)c, from, here),
                                       dem_wall_from_candidate(s, w, (uint32_t)c, to, there));
         }

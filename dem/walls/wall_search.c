@@ -129,7 +129,8 @@ static int find_primitives(struct dem_wall_search *s, const struct dem_walls *w,
     {
         const double *const x = dem_walls_to_frame(w, w->facet[r].wall, p->x, local_x);
 
-        if (dem_facet_height(&w->facet[r], x, normal) < p->radius + skin)
+        if (!w->wall[w->facet[r].wall].absent
+            && dem_facet_height(&w->facet[r], x, normal) < p->radius + skin)
         {
             DEM_TRY(add_neighbor(s, particle, r, 1, &near));
         }
@@ -254,6 +255,10 @@ static int find_triangulated(struct dem_wall_search *s, const struct dem_walls *
         const struct dem_triangle *const t = &w->triangle[f.triangle];
         const double *const x = dem_walls_to_frame(w, t->wall, p->x, local_x);
 
+        if (w->wall[t->wall].absent)
+        {
+            continue;
+        }
         if (!near || near->facet != f.facet ||
             memcmp(near->image, f.of_facet.n, sizeof near->image) != 0)
         {

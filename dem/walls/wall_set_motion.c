@@ -70,7 +70,8 @@ static int check_compound(const struct dem_wall *w, const struct dem_compound_mo
 
 static int same_motion(const struct dem_motion *a, const struct dem_motion *b)
 {
-    return a->kind == b->kind && a->start <= b->start && a->start >= b->start && a->end <= b->end &&
+    return a->kind == b->kind && memcmp(a->stage, b->stage, sizeof a->stage) == 0 &&
+           a->start <= b->start && a->start >= b->start && a->end <= b->end &&
            a->end >= b->end && memcmp(a->velocity, b->velocity, sizeof a->velocity) == 0 &&
            memcmp(a->amplitude, b->amplitude, sizeof a->amplitude) == 0 &&
            memcmp(&a->frequency, &b->frequency, sizeof a->frequency) == 0 &&

@@ -59,7 +59,8 @@ int dem_walls_add(struct dem_walls *w, const char *name, int material, int *wall
     DEM_TRY(DEM_GROW(w->wall, w->wall_capacity, w->walls + 1));
     DEM_TRY(dem_name_index_add(&w->names, dem_name_hash(name, strlen(name), 0), (size_t)w->walls));
     *wall = w->walls++;
-    w->wall[*wall] = (struct dem_wall){.material = material, .frame = -1};
+    w->wall[*wall] = (struct dem_wall){
+        .material = material, .frame = -1, .there = {-INFINITY, INFINITY}};
     memcpy(w->wall[*wall].name, name, strlen(name));
     return DEM_OK;
 }

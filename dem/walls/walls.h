@@ -72,6 +72,11 @@ struct dem_wall
     double wear;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
+    /* s: it is there from the first to the second time; the stages that begin then, from 1, or 0 */
+    double there[2];
+    int there_stage[2];
+    /* 1: it is not there now; it has come just now */
+    int absent, came;
     /* one for each particle scalar; NULL: insulated for all */
     struct dem_wall_scalar *scalars;
     /* its index among the outlets, which counts them */
@@ -199,8 +204,8 @@ struct dem_walls
     double path_length;
     /* m: the same since lists were made */
     double since[DEM_MARK_REFERENCES];
-    /* number of walls that absorb particles; whose wear is summed */
-    int absorbing, wearing;
+    /* number of walls that absorb particles; whose wear is summed; that are not there all the time */
+    int absorbing, wearing, passing;
     /* 1: all walls are flat and at rest, none is driven */
     int all_flat_static;
     /* 1: triangles are given on another rank */
@@ -349,6 +354,15 @@ void dem_walls_free_part(struct dem_walls *part);
 /* Bounding box [m] of a triangle at its present position, in the global frame. */
 void dem_walls_triangle_box(const struct dem_walls *, const struct dem_triangle *,
                             double box[2][3]);
+
+/* ---- walls that are not there all the time ---------------------------------------------------- */
+
+/* At this time [s] some walls are there and others not. Returns 1 when one has come or gone:
+   lists must be made anew. */
+int dem_walls_come_and_go(struct dem_walls *, double time);
+
+/* The first time after this one [s] at which a wall comes or goes, as far as it is known; infinite: none. */
+double dem_walls_next_change(const struct dem_walls *, double time);
 
 /* ---- motion: no effect when no wall moves ---------------------------------------------------- */
 

@@ -117,7 +117,7 @@ static void sweep(void)
     struct dem_energy_balance_rows r = {.list = &chain, .memory = memory, .row = 0, .rows = 8};
 
     memset(t.batch.fn, 0, sizeof t.batch.fn);
-    dem_energy_balance_begin_sweep(p.energy_balance);
+    dem_energy_balance_begin_sweep(&p);
     dem_energy_balance_begin_batch(&p, &t, &r);
     for (int k = 0; k < chain.entries; k++)
     {

@@ -1,0 +1,168 @@
+/*
+ * scene_cell.c -- the entry domain/cell: a periodic domain that deforms (particles/cell.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "case/scene_cell.h"
+#include "case/internal.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "step/cell_motion.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+    ROOM = 8    /* how much larger coordinates may become than those of the scene */
+};
+
+static int read_axis(struct dem_cell_axis *a, const struct dem_domain *d, const struct dem_dict *dict, int k)
+{
+    static const char *const name[] = {"xx", "yy", "zz"};
+    const struct dem_dict *entry;
+
+    DEM_TRY(dem_dict_sub_if(dict, name[k], &entry));
+    if (!entry)
+    {
+        return DEM_OK;
+    }
+    a->deforms = 1;
+    a->held = dem_dict_has(entry, "stress");
+    DEM_REQUIRE(d->periodic[k], DEM_ERROR_INPUT,
+                "%s: domain/cell/%s, but the domain is not periodic along %c; add it to periodic",
+                dem_dict_where(entry), name[k], "xyz"[k]);
+    DEM_REQUIRE(a->held + dem_dict_has(entry, "rate") == 1, DEM_ERROR_INPUT,
+                "%s: domain/cell/%s has %s of rate (1/s) and stress (Pa, tension positive); give one of "
+                "them", dem_dict_where(entry), name[k], a->held ? "both" : "none");
+    DEM_TRY(dem_dict_number(entry, a->held ? "stress" : "rate", a->held ? "Pa" : "1/s",
+                            a->held ? &a->target : &a->rate));
+    DEM_TRY(dem_dict_time_or(entry, "start", -INFINITY, &a->start, &a->stage[0]));
+    DEM_TRY(dem_dict_time_or(entry, "end", INFINITY, &a->end, &a->stage[1]));
+    DEM_REQUIRE(fabs(a->rate) < 1e9 && fabs(a->target) < 1e30, DEM_ERROR_INPUT,
+                "%s: domain/cell/%s: rate %g 1/s, stress %g Pa; give smaller numbers",
+                dem_dict_where(entry), name[k], a->rate, a->target);
+    DEM_REQUIRE(a->stage[1] ? a->stage[0] < a->stage[1] : a->stage[0] || a->start < a->end, DEM_ERROR_INPUT,
+                "%s: domain/cell/%s does not end after it has started; give a later end",
+                dem_dict_where(entry), name[k]);
+    return DEM_OK;
+}
+
+/* Powers of 2, so that the unit stays one. */
+static void give_room(struct dem_cell *c, struct dem_domain *d, int k)
+{
+    c->first_max[k] = d->max[k];
+    if (c->axis[k].deforms)
+    {
+        d->unit[k] *= ROOM;
+        d->round[k] *= ROOM;
+        d->length[k] = d->unit[k]*rint(d->length[k]/d->unit[k]);
+        d->max[k] = d->min[k] + d->length[k];
+        c->farthest[k] = 0x1p53*d->unit[k];
+    }
+}
+
+int dem_scene_read_cell(struct dem_cell *c, struct dem_domain *d, const struct dem_dict *domain)
+{
+    const struct dem_dict *dict;
+    int held = 0;
+
+    DEM_TRY(dem_dict_sub_if(domain, "cell", &dict));
+    if (!dict)
+    {
+        return DEM_OK;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        DEM_TRY(read_axis(&c->axis[k], d, dict, k));
+        c->active |= c->axis[k].deforms;
+        held |= c->axis[k].held;
+        give_room(c, d, k);
+    }
+    DEM_REQUIRE(c->active, DEM_ERROR_INPUT,
+                "%s: domain/cell has none of xx, yy, zz; give one, like zz { rate -0.1; }",
+                dem_dict_where(dict));
+    DEM_TRY(held ? dem_dict_number(dict, "maxRate", "1/s", &c->max_rate) : DEM_OK);
+    DEM_REQUIRE(!held || (c->max_rate > 0.0 && isfinite(c->max_rate)), DEM_ERROR_INPUT,
+                "%s: domain/cell/maxRate %g 1/s; give the largest rate with which a stress may be "
+                "sought, above 0", dem_dict_where(dict), c->max_rate);
+    return DEM_OK;
+}
+
+int dem_cell_refuse(const struct dem *d)
+{
+    const struct dem_state *const p = &d->state;
+    const struct dem_interaction_table *const r = &p->interaction_table;
+
+    if (!p->cell.active)
+    {
+        return DEM_OK;
+    }
+    DEM_REQUIRE(p->walls.walls == 0, DEM_ERROR_INPUT,
+                "domain/cell deforms the whole space, but wall %s would not follow; remove the walls, or "
+                "let a wall move in place of the cell", p->walls.wall[0].name);
+    for (int k = 0; k < r->chosen; k++)
+    {
+        DEM_REQUIRE(r->effect[k]->stage < DEM_STAGE_BODY, DEM_ERROR_INPUT,
+                    "domain/cell and effects/%s: in a periodic cell that deforms velocities are relative "
+                    "to its flow, and there is no gravity or fluid; remove one of them",
+                    r->effect[k]->name);
+    }
+    DEM_REQUIRE(d->scene.shapes.n == 0, DEM_ERROR_INPUT,
+                "domain/cell and shapes: rigid bodies of several spheres do not follow a cell; remove one of "
+                "them");
+    DEM_REQUIRE(!d->coupled && d->scene.streams.streams + d->scene.streams.outlets + d->scene.streams.planes == 0
+                    && p->applied_forces.n == 0, DEM_ERROR_INPUT,
+                "domain/cell does not go with a coupled fluid, forces, streams, groups with `at`, outlets "
+                "or planes; remove them");
+    return DEM_OK;
+}
+
+/* ---- snapshots ------------------------------------------------------------------------------- */
+
+static const char mark[] = "@cell ";
+
+int dem_cell_is_line(const char *line)
+{
+    return strncmp(line, mark, sizeof mark - 1) == 0;
+}
+
+void dem_cell_describe(const struct dem *d, struct dem_text *t)
+{
+    const struct dem_cell *const c = &d->state.cell;
+
+    if (c->active)
+    {
+        dem_text_add(t, "%s", mark);
+        for (int k = 0; k < 3; k++)
+        {
+            dem_text_add(t, "%a %a %a%s", d->state.domain.length[k], c->rate[k], c->integral[k],
+                         k < 2 ? " " : "\n");
+        }
+    }
+}
+
+void dem_cell_resume(struct dem *d, const char *text)
+{
+    struct dem_cell *const c = &d->state.cell;
+    const char *at = text;
+
+    while (c->active && at && *at && !dem_cell_is_line(at))
+    {
+        at = strchr(at, '\n');
+        at = at ? at + 1 : NULL;
+    }
+    if (c->active && at && *at)
+    {
+        double length[3];
+        char *rest = (char *)(uintptr_t)(at + sizeof mark - 1);
+
+        for (int k = 0; k < 3; k++)
+        {
+            length[k] = strtod(rest, &rest);
+            c->rate[k] = strtod(rest, &rest);
+            c->integral[k] = strtod(rest, &rest);
+        }
+        dem_cell_set_lengths(&d->state, length);
+    }
+}

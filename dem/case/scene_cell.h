@@ -1,0 +1,27 @@
+/*
+ * scene_cell.h -- the entry domain/cell: read, refuse what does not go with it, keep it in snapshots.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_CASE_SCENE_CELL_H
+#define DEM_CASE_SCENE_CELL_H
+
+#include "input/dictionary.h"
+#include "particles/cell.h"
+#include "particles/domain.h"
+
+struct dem;
+struct dem_text;
+
+/* Read it once the domain is complete, which gets a unit of length with room to grow. */
+int dem_scene_read_cell(struct dem_cell *, struct dem_domain *, const struct dem_dict *domain);
+
+/* Once effects, walls and insertion are known. */
+int dem_cell_refuse(const struct dem *);
+
+/* A line with @ of the text of the scene in a snapshot, and the state that it holds. */
+void dem_cell_describe(const struct dem *, struct dem_text *);
+int dem_cell_is_line(const char *line);
+void dem_cell_resume(struct dem *, const char *text);
+
+#endif

@@ -1,0 +1,72 @@
+/*
+ * dictionary_time.c -- a time of the scene: a number in seconds, or the name of a stage, which means
+ * the beginning of that stage.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/dictionary_tree.h"
+
+#include "core/did_you_mean.h"
+#include "core/error.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+enum
+{
+    MAX_SUGGESTED = 64    /* names among which a message looks for a similar one */
+};
+
+/* The entry `stages` of the scene that d belongs to, or null. */
+static const struct dem_dict *stages_of(const struct dem_dict *d)
+{
+    while (d->parent)
+    {
+        d = d->parent;
+    }
+    const struct dem_entry *const e = dem_dict_find(d, "stages", 6);
+
+    return e && dem_entry_is_dict(e) ? e->dict : NULL;
+}
+
+static int find_stage(const struct dem_dict *stages, const struct dem_entry *e, const char *name,
+                      int *stage)
+{
+    const char *known[MAX_SUGGESTED];
+    int n = 0;
+
+    for (size_t k = 0; k < dem_dict_count(stages); k++)
+    {
+        const char *const other = dem_entry_name(dem_dict_entry(stages, k));
+
+        if (strcmp(other, name) == 0)
+        {
+            *stage = (int)k + 1;
+            return DEM_OK;
+        }
+        if (n < MAX_SUGGESTED)
+        {
+            known[n++] = other;
+        }
+    }
+    return dem_error_prefix(dem_did_you_mean_error("stage", name, known, n), "%s: %s: ",
+                            dem_entry_where(e), e->name);
+}
+
+int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback, double *value,
+                     int *stage)
+{
+    const struct dem_entry *const e = dem_dict_find(d, name, strlen(name));
+    const struct dem_dict *const stages = stages_of(d);
+    const char *word = e && dem_entry_tokens(e) == 1 ? e->tokens[0].text : "";
+
+    *stage = 0;
+    if (!stages || !isalpha((unsigned char)word[0]))
+    {
+        return dem_dict_number_or(d, name, "s", fallback, value);
+    }
+    DEM_TRY(dem_dict_word(d, name, &word));
+    *value = INFINITY;
+    return find_stage(stages, e, word, stage);
+}

@@ -1,0 +1,222 @@
+/*
+ * test_cell.c -- periodic cells that deform: the flow is exact, stresses are held, the strength of a
+ * packing of equal spheres is its closed form, energy is balanced, the same bits wherever particles are
+ * wrapped and after a restart.
+ *
+ * Source: Thornton, Geotechnique 29 (1979) 441: a face-centred cubic packing compressed along [001] fails
+ * at s_z/s_x = 2 (1 + mu)/(1 - mu) under equal side stresses, 3.7143 for mu = 0.3, and at 4.8812 in plane
+ * strain; in a cell that has become shorter the planes of contact are steeper, by its strain.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/energy.h"
+#include <unistd.h>
+
+enum
+{
+    SPHERES = 36
+};
+
+#define GLASS "materials { glass { density 2500; youngsModulus 1e8; poissonsRatio 0.3; } } effects { hertz { " \
+              "impactSpeed 0.01; } dry { restitution 0.4; } mindlin { friction 0.3; } } "
+
+static const double diameter = 1e-3, pressure = 100.0;
+static char file[] = "/tmp/cell.XXXXXX";
+
+/* ---- flow ------------------------------------------------------------------------------------ */
+
+/* Particles that touch nothing: x follows the flow, u falls as exp(-D t). */
+static void test_flow(void)
+{
+    static const struct dem_new_particle seeds[] = {
+        {.position = {0.002, 0.003, 0.0071}, .diameter = 1e-3, .material = "glass", .id = 0},
+        {.position = {0.008, 0.008, 0.0013}, .diameter = 1e-3, .material = "glass", .velocity = {0.0, 0.0, 0.05}, .id = 1}};
+    struct dem *const d = world(
+        GLASS "time { step 2.5e-6; } domain { x (0 0.01); y (0 0.01); z (0 0.01); periodic (x y z); cell { zz { rate "
+        "-2; } } } ", 2, seeds);
+    struct dem_cell_now c;
+
+    world_run(d, 0.1);
+    WORLD_TRY(dem_cell(d, &c));
+    const double shorter = exp(-0.2);
+
+    TAP_OK(fabs(c.length[2]/(0.01*shorter) - 1.0) < 1e-6 && fabs(c.length[0] - 0.01) < 1e-15,
+           "a cell of rate -2/s is exp(-0.2) as long after 0.1 s: %.9g", c.length[2]/0.01);
+    TAP_OK(fabs(world_at(d, 0).x[2]/c.length[2] - 0.71) < 1e-12, "a particle at rest in the flow keeps its place "
+           "in the cell: %.15g", world_at(d, 0).x[2]/c.length[2]);
+    TAP_OK(fabs(world_at(d, 1).v[2]/(0.05*exp(0.2)) - 1.0) < 1e-6, "its velocity relative to the flow grows as "
+           "exp(-D t): %.9g", world_at(d, 1).v[2]/0.05);
+    dem_free(d);
+}
+
+/* ---- a face-centred cubic packing ------------------------------------------------------------ */
+
+/* Face-centred cubic, along [110], [-110] and [001]: 3 x 3 x 2 cells of two spheres, at the overlap of the
+   pressure, with 12 contacts of each sphere. */
+static void packing(struct dem_new_particle *seeds, double length[3])
+{
+    const double modulus = 1e8/(2.0*(1.0 - 0.09)), volume = diameter*diameter*diameter/sqrt(2.0);
+    const double force = 3.0*pressure*volume/(6.0*diameter);
+    const double overlap = cbrt(pow(force/(4.0/3.0*modulus*sqrt(0.25*diameter)), 2.0));
+    const double near = diameter - overlap, edge[3] = {near, near, sqrt(2.0)*near};
+
+    for (int k = 0; k < SPHERES; k++)
+    {
+        const int cell[3] = {k/2%3, k/6%3, k/18};
+
+        seeds[k] = (struct dem_new_particle){.diameter = diameter, .material = "glass", .id = k};
+        for (int a = 0; a < 3; a++)
+        {
+            seeds[k].position[a] = edge[a]*(cell[a] + 0.5*(k%2) + 0.25);
+            length[a] = edge[a]*(a < 2 ? 3.0 : 2.0);
+        }
+    }
+}
+
+static struct dem *fcc(const char *cell, int energy)
+{
+    struct dem_new_particle seeds[SPHERES];
+    double length[3];
+
+    packing(seeds, length);
+    const char *const scene = world_text(
+        GLASS "time { maxStartOverlap 0.1; } domain { x (0 %.15g); y (0 %.15g); z (0 %.15g); periodic (x y z); cell "
+        "{ %s } } ", length[0], length[1], length[2], cell);
+
+    return energy ? energy_world(scene, SPHERES, seeds) : world(scene, SPHERES, seeds);
+}
+
+/* Compress along z; the largest s_z/s_x over what is exact at that strain, from the angle of the contacts:
+   `over` of their tangent and the friction. */
+static double strength(struct dem *d, double time, double (*exact)(double tangent), double *held)
+{
+    struct dem_cell_now c;
+    double largest = 0.0;
+
+    *held = 0.0;
+    for (int k = 0; k < 100; k++)
+    {
+        world_run(d, time/100.0);
+        WORLD_TRY(dem_cell(d, &c));
+        /* of a contact between the layers: 1 at the start */
+        const double tangent = c.length[2]/2.0/(c.length[0]/3.0*sqrt(2.0));
+
+        largest = fmax(largest, c.stress[2]/c.stress[0]/exact(tangent));
+        *held = k > 20 ? fmax(*held, fabs(c.stress[0]/-pressure - 1.0)) : *held;
+    }
+    return largest;
+}
+
+static double triaxial(double tangent)
+{
+    return 2.0*tangent*(tangent + 0.3)/(1.0 - 0.3*tangent);
+}
+
+/* At the start: the axis y keeps its length. */
+static double plane_strain(double tangent)
+{
+    (void)tangent;
+    return 4.8812;
+}
+
+static void test_strength(void)
+{
+    struct dem *d = fcc("xx { stress -100; } yy { stress -100; } zz { rate -0.04; } maxRate 2;", 1);
+    double held;
+    const double ratio = strength(d, 0.2, triaxial, &held);
+
+    TAP_OK(fabs(ratio - 1.0) < 0.01, "a packing under equal side stresses fails at %.4f of 2 T (T + mu)/(1 - mu T), "
+           "3.7143 at T = 1", ratio);
+    TAP_OK(held < 2e-3, "the side stress is held to %.2g", held);
+    TAP_OK(fabs(energy_term(d, "residual")) < 0.01*fabs(energy_term(d, "work_cell"))
+               && energy_term(d, "work_cell") > 0.0,
+           "the work of the cell, %.4g J, is in the balance, but for %.2g J", energy_term(d, "work_cell"),
+           energy_term(d, "residual"));
+    dem_free(d);
+    d = fcc("xx { stress -100; } zz { rate -0.04; } maxRate 2;", 0);
+    const double plane = strength(d, 0.06, plane_strain, &held);
+
+    TAP_OK(fabs(plane - 1.0) < 0.01, "in plane strain at %.4f of 4.8812", plane);
+    dem_free(d);
+}
+
+/* ---- bits ------------------------------------------------------------------------------------ */
+
+static const char gas[] =
+    GLASS "time { step 2.5e-6; } domain { x (0 0.008); y (-0.004 0.004); z (0 0.008); periodic (x y z); cell { xx { "
+    "stress -40; } yy { rate -1; } zz { rate 0.8; end 0.02; } maxRate 3; } } insert { a { type random; count 150; "
+    "diameter 1e-3; min (0 -0.004 0); max (0.008 0.004 0.008); velocity (0.3 -0.2 0.1); } } ";
+
+static uint64_t gas_hash(int save, int reload)
+{
+    struct dem *d = world(gas, 0, NULL);
+
+    for (int k = 1; k <= 30; k++)
+    {
+        world_run(d, 1e-3*k - world_tally(d).time);
+        if (save && k%7 == 0)
+        {
+            WORLD_TRY(dem_save(d, file));    /* lists are made anew and particles wrapped after it */
+        }
+        if (reload && k == 14)
+        {
+            struct dem_case *const c = world_begin(gas);
+
+            dem_free(d);
+            WORLD_TRY(dem_case_load(c, file));
+            d = world_start(c);
+        }
+    }
+    const uint64_t hash = world_hash(d);
+
+    dem_free(d);
+    return hash;
+}
+
+static void test_bits(void)
+{
+    const uint64_t one = gas_hash(0, 0), two = gas_hash(1, 0), three = gas_hash(1, 1);
+
+    TAP_OK(one == two, "the same bits whenever particles are wrapped: %016llx", (unsigned long long)one);
+    TAP_OK(three == one, "and after a restart in the middle: %016llx", (unsigned long long)three);
+}
+
+/* ---- refusals -------------------------------------------------------------------------------- */
+
+static void test_refusals(void)
+{
+    static const char *const cases[][2] = {
+        {"domain { z (0 1); cell { zz { rate 1; } } }", "not periodic along z"},
+        {"domain { z (0 1); periodic (z); cell { zz { rate 1; stress 1; } } }", "both of rate"},
+        {"domain { z (0 1); periodic (z); cell { zz { stress 1; } } }", "maxRate"},
+        {"domain { z (0 1); periodic (z); cell { } }", "none of xx, yy, zz"},
+        {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } walls { w { type plane; material glass; point (0 "
+         "0 0); normal (1 0 0); } }", "wall w"},
+        {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } outlets { o { point (0 0 0); normal (1 0 0); } }",
+         "outlets"}};
+
+    for (size_t k = 0; k < sizeof cases/sizeof *cases; k++)
+    {
+        world_refused(world_text(GLASS "%s", cases[k][0]), cases[k][1]);
+    }
+    world_refused("materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz {} gravity { acceleration "
+                  "(0 0 -9.81); } } domain { z (0 1); periodic (z); cell { zz { rate 1; } } }", "gravity");
+}
+
+int main(void)
+{
+    const int f = mkstemp(file);
+
+    if (f < 0)
+    {
+        printf("Bail out! no file in /tmp\n");
+        return 1;
+    }
+    close(f);
+    test_flow();
+    test_strength();
+    test_bits();
+    test_refusals();
+    unlink(file);
+    TAP_DONE;
+}
