@@ -38,6 +38,28 @@ void Foam::demLinearWeights::setAround() const
 }
 
 
+void Foam::demLinearWeights::add(const share& more, DynamicList<share>& sum) const
+{
+    const label celli = local(more.cell);
+    label k = celli >= 0 ? place_[celli] : 0;
+
+    while (celli < 0 && k < sum.size() && sum[k].cell != more.cell)
+    {
+        ++k;
+    }
+    if (k >= 0 && k < sum.size())
+    {
+        sum[k].weight += more.weight;
+        return;
+    }
+    if (celli >= 0)
+    {
+        place_[celli] = sum.size();
+    }
+    sum.append(more);
+}
+
+
 void Foam::demLinearWeights::addPoint
 (
     const label pointi,
@@ -45,31 +67,18 @@ void Foam::demLinearWeights::addPoint
     DynamicList<share>& sum
 ) const
 {
-    const auto add = [&](const label cell, const scalar weight, const scalar inverse)
-    {
-        for (share& s : sum)
-        {
-            if (s.cell == cell)
-            {
-                s.weight += weight;
-                return;
-            }
-        }
-        sum.append({cell, weight, inverse});
-    };
-
     if (shared_ && around_[pointi].size())
     {
         const scalarList& cells = around_[pointi];
         for (label k = 0; k < cells.size(); k += 3)
         {
-            add(label(cells[k]), factor*cells[k + 1], cells[k + 2]);
+            add({label(cells[k]), factor*cells[k + 1], cells[k + 2]}, sum);
         }
         return;
     }
     for (label k = start_[pointi]; k < start_[pointi + 1]; ++k)
     {
-        add(firstCell_ + cell_[k], factor*weight_[k], 1/mesh_.V()[cell_[k]]);
+        add({firstCell_ + cell_[k], factor*weight_[k], 0}, sum);
     }
 }
 
@@ -84,6 +93,8 @@ void Foam::demLinearWeights::ownWeights
     {
         setAround();
     }
+    const scalarField& V = mesh_.V();
+    place_.setSize(mesh_.nCells(), -1);
     DynamicList<share> sum(64);
     forAll(locations, i)
     {
@@ -91,7 +102,7 @@ void Foam::demLinearWeights::ownWeights
         const face& f = mesh_.faces()[s.face];
 
         sum.clear();
-        sum.append({firstCell_ + s.cell, s.wCell, 1/mesh_.V()[s.cell]});
+        add({firstCell_ + s.cell, s.wCell, 0}, sum);
         for (const label pointi : f)
         {
             const scalar more = (pointi == s.p ? s.wp : 0) + (pointi == s.q ? s.wq : 0);
@@ -100,7 +111,12 @@ void Foam::demLinearWeights::ownWeights
         q[i] = 0;
         for (const share& at : sum)
         {
-            q[i] += sqr(at.weight)*at.inverse;
+            const label celli = local(at.cell);
+            q[i] += sqr(at.weight)*(celli >= 0 ? 1/V[celli] : at.inverse);
+            if (celli >= 0)
+            {
+                place_[celli] = -1;
+            }
         }
     }
 }
