@@ -305,6 +305,39 @@ static void loads(void)
     unlink(path);
 }
 
+/* ---- rest ------------------------------------------------------------------------------------ */
+
+/* A sphere rests on the floor, while a flap beside it swings through a damper. Returns 1 when the test of
+   rest has been passed within two seconds. */
+static int comes_to_rest(double damping)
+{
+    const double m = world_sphere_mass(R, density), k = 4.0/3.0*1e5/(2.0*0.91)*sqrt(R);
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass",
+                                    .position = {0.0, 0.0, R - pow(m*9.81/k, 2.0/3.0)}};
+    struct dem_case *const c = world_begin(world_text(
+        "materials { glass { density 2500; youngsModulus 1e5; poissonsRatio 0.3; } } "
+        "effects { hertz {} dry { restitution 0.3; } gravity { acceleration (0 0 -9.81); } } "
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } flap { type triangles; "
+        "corners ((0.1 -0.01 0.1) (0.12 -0.01 0.09) (0.1 0.01 0.1)); motion { type hinge; origin (0.1 0 0.1); "
+        "axis (0 1 0); inertia 1e-7; mass 1e-4; centre (0.12 0 0.09); damping %g; } } } "
+        "time { step 2e-5; untilQuiet { lasting 0.05; } }", damping));
+    struct dem_quiet quiet;
+
+    WORLD_TRY(dem_case_read_quiet(c, &quiet));
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    struct dem *const d = world_start(c);
+
+    for (int n = 0; n < 200 && !quiet.reached; n++)
+    {
+        const struct dem_totals t = world_tally(d);
+
+        WORLD_TRY(dem_quiet_test(d, &quiet, &t));
+        world_run(d, 0.01);
+    }
+    dem_free(d);
+    return quiet.reached;
+}
+
 /* ---- refusals -------------------------------------------------------------------------------- */
 
 static void refuse(const char *lid, const char *words)
@@ -374,6 +407,8 @@ int main(void)
     restart("type free; axes (z); mass 1e-3; force (0 0 -0.05);", "free lid");
     restart("type hinge; origin (0 0 11e-3); axis (0 1 0); inertia 1e-7; torque 2e-4;", "hinge");
     loads();
+    TAP_OK(!comes_to_rest(0.0), "untilQuiet waits for a flap that swings");
+    TAP_OK(comes_to_rest(3e-6), "and ends when it hangs still");
     refusals();
     refuse_fluid();
     TAP_DONE;
