@@ -88,7 +88,7 @@ static int refuse_unknown(const struct dem_effect *effect, const struct dem_dict
     {
         const struct dem_entry *const e = dem_dict_entry(dict, k);
 
-        if (!effect->settings || !dem_settings_find(effect->settings, dem_entry_name(e)))
+        if (!dem_settings_find(effect->settings, dem_entry_name(e)))
         {
             const int status = dem_did_you_mean_error("setting", dem_entry_name(e), known, n);
 

@@ -31,7 +31,7 @@ static int takes_numbers(const struct dem_setting *f)
 
 void dem_settings_set_defaults(const struct dem_setting *table, void *settings)
 {
-    for (const struct dem_setting *f = table; f->name; f++)
+    for (const struct dem_setting *f = table; f && f->name; f++)
     {
         char *to = (char *)settings + f->offset;
 
@@ -54,7 +54,7 @@ void dem_settings_set_defaults(const struct dem_setting *table, void *settings)
 
 const struct dem_setting *dem_settings_find(const struct dem_setting *table, const char *name)
 {
-    for (const struct dem_setting *f = table; f->name; f++)
+    for (const struct dem_setting *f = table; f && f->name; f++)
     {
         if (strcmp(f->name, name) == 0)
         {
@@ -66,7 +66,7 @@ const struct dem_setting *dem_settings_find(const struct dem_setting *table, con
 
 double dem_settings_number(const struct dem_setting *table, const void *settings, const char *name)
 {
-    const struct dem_setting *const f = table ? dem_settings_find(table, name) : NULL;
+    const struct dem_setting *const f = dem_settings_find(table, name);
 
     return f ? *(const double *)(const void *)((const char *)settings + f->offset) : DEM_SETTING_REQUIRED;
 }
@@ -77,7 +77,7 @@ static int unknown_name(const struct dem_setting *table, const char *owner, cons
     char what[PHRASE_SIZE];
     int n = 0;
 
-    for (const struct dem_setting *f = table; f->name && n < MAX_NAMES; f++)
+    for (const struct dem_setting *f = table; f && f->name && n < MAX_NAMES; f++)
     {
         known[n++] = f->name;
     }
@@ -234,7 +234,7 @@ int dem_settings_check_complete(const struct dem_setting *table, const void *set
     char list[1024] = "", unit[PHRASE_SIZE];
     size_t used = 0;
 
-    for (const struct dem_setting *f = table; f->name && used < sizeof list; f++)
+    for (const struct dem_setting *f = table; f && f->name && used < sizeof list; f++)
     {
         if (is_missing(f, settings))
         {

@@ -13,7 +13,7 @@
  *         {0},
  *     };
  *
- * The first argument is the tag of the struct. A table ends in {0}. Limits are inclusive;
+ * The first argument is the tag of the struct. A table ends in {0}; NULL is an empty one. Limits are inclusive;
  * DEM_ABOVE_ZERO as the minimum excludes zero; INFINITY (or -INFINITY) means no limit. NaN and
  * infinite values are always refused. A member of the wrong type does not compile: numbers and
  * counts are double, vectors double[3], choices and switches int.

@@ -77,13 +77,15 @@ struct kind
 
 /* The array has the capacity for the largest possible number of items: each takes at least one
    token. */
-static int read_list(const struct dem_entry *e, const struct kind *kind, const char *unit,
-                     void **items, size_t *n)
+static int read_list(const struct dem_dict *d, const char *name, const struct kind *kind,
+                     const char *unit, void **items, size_t *n)
 {
+    const struct dem_entry *e;
     struct dem_cursor c;
     double claimed;
 
     *n = 0;
+    DEM_TRY(dem_dict_require(d, name, unit, &e));
     DEM_TRY(dem_dict_pool_alloc(e->parent->pool, (e->count + 1)*kind->size, items));
     if (!open_list(e, &c, &claimed))
     {
@@ -104,11 +106,9 @@ int dem_dict_numbers(const struct dem_dict *d, const char *name, const char *uni
                      const double **values, size_t *n)
 {
     static const struct kind numbers = {"a list of numbers ( ... )", take_number, sizeof(double)};
-    const struct dem_entry *e;
     void *items;
 
-    DEM_TRY(dem_dict_require(d, name, unit, &e));
-    DEM_TRY(read_list(e, &numbers, unit, &items, n));
+    DEM_TRY(read_list(d, name, &numbers, unit, &items, n));
     *values = items;
     return DEM_OK;
 }
@@ -117,11 +117,9 @@ int dem_dict_int64s(const struct dem_dict *d, const char *name, const int64_t **
 {
     static const struct kind wholes = {"a list of whole numbers ( ... )", take_whole,
                                        sizeof(int64_t)};
-    const struct dem_entry *e;
     void *items;
 
-    DEM_TRY(dem_dict_require(d, name, "", &e));
-    DEM_TRY(read_list(e, &wholes, "", &items, n));
+    DEM_TRY(read_list(d, name, &wholes, "", &items, n));
     *values = items;
     return DEM_OK;
 }
@@ -131,11 +129,9 @@ int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *uni
 {
     static const struct kind vectors = {"a list of vectors ( (x y z) ... )", take_vector,
                                         sizeof(double[3])};
-    const struct dem_entry *e;
     void *items;
 
-    DEM_TRY(dem_dict_require(d, name, unit, &e));
-    DEM_TRY(read_list(e, &vectors, unit, &items, n));
+    DEM_TRY(read_list(d, name, &vectors, unit, &items, n));
     *values = items;
     return DEM_OK;
 }
@@ -145,11 +141,9 @@ int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
 {
     static const struct kind fours = {"a list of four numbers each ( (x y z r) ... )", take_four,
                                       sizeof(double[4])};
-    const struct dem_entry *e;
     void *items;
 
-    DEM_TRY(dem_dict_require(d, name, unit, &e));
-    DEM_TRY(read_list(e, &fours, unit, &items, n));
+    DEM_TRY(read_list(d, name, &fours, unit, &items, n));
     *values = items;
     return DEM_OK;
 }
@@ -157,11 +151,9 @@ int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
 int dem_dict_words(const struct dem_dict *d, const char *name, const char *const **words, size_t *n)
 {
     static const struct kind kind = {"a list of words ( ... )", take_word, sizeof(char *)};
-    const struct dem_entry *e;
     void *items;
 
-    DEM_TRY(dem_dict_require(d, name, "", &e));
-    DEM_TRY(read_list(e, &kind, "", &items, n));
+    DEM_TRY(read_list(d, name, &kind, "", &items, n));
     *words = items;
     return DEM_OK;
 }

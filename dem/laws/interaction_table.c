@@ -241,10 +241,7 @@ int dem_interaction_table_add_effect(struct dem_interaction_table *r, const char
     r->effect[index] = effect;
     DEM_TRY(dem_memory_new(&r->settings[index], 1, effect->size + 1));
     r->chosen++;
-    if (effect->settings)
-    {
-        dem_settings_set_defaults(effect->settings, r->settings[index]);
-    }
+    dem_settings_set_defaults(effect->settings, r->settings[index]);
     return add_scalars(r, effect, where);
 }
 
@@ -335,12 +332,10 @@ const struct dem_effect *dem_interaction_table_gravity(const struct dem_interact
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
-static const struct dem_setting no_settings[] = {{0}};
-
 static int set_entry(const struct dem_effect *effect, void *settings, const char *entry,
                      const double *values, int count, const char *word, const char *where)
 {
-    const struct dem_setting *const fields = effect->settings ? effect->settings : no_settings;
+    const struct dem_setting *const fields = effect->settings;
     const int status =
         word ? dem_settings_set_word(fields, settings, effect->name, entry, word)
              : dem_settings_set_number(fields, settings, effect->name, entry, values, count);

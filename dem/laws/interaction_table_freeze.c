@@ -118,21 +118,17 @@ static int append_effect(struct dem_interaction_table *r, struct dem_effect_list
             DEM_TRY(dem_override_apply(o, entry->settings));
         }
     }
-    if (effect->settings)
+    const int status =
+        dem_settings_check_complete(effect->settings, entry->settings, effect->name);
+
+    if (status && contact)
     {
-        const int status =
-            dem_settings_check_complete(effect->settings, entry->settings, effect->name);
+        const char *const x = list->pair.a->name, *const y = list->pair.b->name;
 
-        if (status && contact)
-        {
-            const char *const x = list->pair.a->name, *const y = list->pair.b->name;
-
-            return dem_error_prefix(status,
-                                    "contact %s-%s, by effects or by pairs between (%s %s): ", x, y,
-                                    x, y);
-        }
-        DEM_TRY(status);
+        return dem_error_prefix(
+            status, "contact %s-%s, by effects or by pairs between (%s %s): ", x, y, x, y);
     }
+    DEM_TRY(status);
     DEM_TRY(r->parcels.used ? check_parcels(r, entry) : DEM_OK);
     entry->grains = r->parcels.used && effect->parcels == DEM_PARCELS_GRAINS;
     list->grains |= entry->grains;

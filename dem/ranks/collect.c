@@ -40,17 +40,13 @@ int dem_collect_status(const struct dem_decomposition *d)
 int dem_collect_agree(const struct dem_decomposition *d, int status)
 {
     const int recorded = dem_collect_status(d), own = recorded ? recorded : status;
-    int worst = own, agreed = DEM_OK;
+    int worst = own, agreed = own;
 
     if (d->ranks > 1)
     {
         const int code = MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_INT, MPI_MAX, d->comm);
 
         agreed = own ? own : dem_mpi_status("MPI_Allreduce", code);
-    }
-    else
-    {
-        agreed = own;
     }
     return agreed || !worst ? agreed : dem_error(worst, "%s", another_rank);
 }

@@ -1,7 +1,7 @@
 /*
  * wall_facets.c -- builds the facets of walls: connected coplanar triangles become one facet.
  *
- * 1. Sort the triangles; drop duplicates and triangles without area.
+ * 1. Sort the triangles; drop duplicates and triangles without area (wall_triangles.c).
  * 2. Weld corners that coincide within a tolerance.
  * 3. Join triangles that share an edge and are coplanar (union-find); mark the edges on the rim of
  *    a facet, where all its triangles lie on one side. That may be two triangles: the sides of a
@@ -15,6 +15,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walls/wall_corners.h"
+#include "walls/wall_triangles.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
@@ -25,101 +26,6 @@
 
 /* Tolerance of welding corners and of planes being equal, as a fraction of a particle's radius. */
 static const double weld_tolerance = 1e-6;
-
-/* ---- sorting and duplicates ------------------------------------------------------------------ */
-
-/* Corners of a triangle in sorted order: independent of the first corner and of the orientation. */
-static void sort_corners(const struct dem_triangle *t, double key[3][3])
-{
-    memcpy(key, t->corner, sizeof t->corner);
-    dem_sort_by(key, 3, sizeof key[0], dem_walls_compare_corners);
-}
-
-static int compare_triangles(const void *a, const void *b)
-{
-    const struct dem_triangle *const s = a, *const t = b;
-    double p[3][3], q[3][3];
-    int order = (s->wall > t->wall) - (s->wall < t->wall);
-
-    sort_corners(s, p);
-    sort_corners(t, q);
-    for (int k = 0; k < 3 && order == 0; k++)
-    {
-        order = dem_walls_compare_corners(p[k], q[k]);
-    }
-    return order;
-}
-
-static double area_vector(const struct dem_triangle *t, double normal[3])
-{
-    double a[3], b[3];
-
-    dem_vec_minus(t->corner[1], t->corner[0], a);
-    dem_vec_minus(t->corner[2], t->corner[0], b);
-    dem_vec_cross(a, b, normal);
-    return dem_vec_norm(normal);
-}
-
-static int same_corners(const struct dem_triangle *s, const struct dem_triangle *t)
-{
-    double p[3][3], q[3][3];
-
-    sort_corners(s, p);
-    sort_corners(t, q);
-    return memcmp(p, q, sizeof p) == 0;
-}
-
-/* 1 when the height of a triangle is at most `height`. It can be dropped: its neighbours have its
-   edges too. */
-static int is_flat(const struct dem_triangle *t, double height)
-{
-    double normal[3], edge[3], longest = 0.0;
-
-    for (int k = 0; k < 3; k++)
-    {
-        dem_vec_minus(t->corner[(k + 1)%3], t->corner[k], edge);
-        longest = fmax(longest, dem_vec_norm(edge));
-    }
-    return area_vector(t, normal) <= height*longest;
-}
-
-static int drop_degenerate(struct dem_walls *w, double scale)
-{
-    size_t kept = 0;
-
-    dem_sort_by(w->triangle, w->triangles, sizeof *w->triangle, compare_triangles);
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        struct dem_wall *const wall = &w->wall[w->triangle[t].wall];
-
-        if (kept > 0 && w->triangle[kept - 1].wall == w->triangle[t].wall &&
-            same_corners(&w->triangle[kept - 1], &w->triangle[t]))
-        {
-            wall->repeats++;
-        }
-        else if (is_flat(&w->triangle[t], weld_tolerance*scale))
-        {
-            wall->flat++;
-        }
-        else
-        {
-            w->triangle[kept++] = w->triangle[t];
-            wall->triangles++;
-        }
-    }
-    w->triangles = kept;
-    for (int k = 0; k < w->walls; k++)
-    {
-        DEM_REQUIRE(
-            w->wall[k].triangles > 0 || w->wall[k].flat == 0, DEM_ERROR_INPUT,
-            "wall %s: none of its %zu triangles is higher than %.3g m (1e-6 of the largest radius); give a surface "
-            "with an area, in metres",
-            w->wall[k].name, w->wall[k].flat, weld_tolerance*scale);
-    }
-    return DEM_OK;
-}
-
-/* ---- facets ---------------------------------------------------------------------------------- */
 
 struct edge
 {
@@ -245,7 +151,7 @@ static void displace(const struct dem_walls *w, const int offset[3], struct dem_
 static int coplanar(const struct dem_triangle *s, const struct dem_triangle *t, double tolerance)
 {
     double n[3], m[3], worst = 0.0;
-    double size = area_vector(s, n), other = area_vector(t, m);
+    double size = dem_triangle_area_vector(s, n), other = dem_triangle_area_vector(t, m);
     const int swap = other > size;
     const struct dem_triangle *const large = swap ? t : s, *const small = swap ? s : t;
     const double *const normal = swap ? m : n;
@@ -258,7 +164,8 @@ static int coplanar(const struct dem_triangle *s, const struct dem_triangle *t, 
         worst = fmax(worst, fabs(dem_vec_dot(d, normal))/(swap ? other : size));
     }
     return s->wall == t->wall && worst <= tolerance &&
-           (fabs(dem_vec_dot(n, m)) > 0.999999*size*other || is_flat(small, 1e3*tolerance));
+           (fabs(dem_vec_dot(n, m)) > 0.999999*size*other ||
+            dem_triangle_is_flat(small, 1e3*tolerance));
 }
 
 /* From an edge to the third corner, across the edge. */
@@ -382,7 +289,7 @@ static int number_facets(struct dem_walls *w, struct link *link)
 
         if (first == t)
         {
-            const double size = area_vector(here, n);
+            const double size = dem_triangle_area_vector(here, n);
 
             for (int k = 0; k < 3; k++)
             {
@@ -407,7 +314,7 @@ static int choose_planes(struct dem_walls *w)
     for (size_t t = 0; t < w->triangles; t++)
     {
         struct dem_facet *const r = &w->facet[w->triangle[t].facet];
-        const double size = area_vector(&w->triangle[t], n);
+        const double size = dem_triangle_area_vector(&w->triangle[t], n);
 
         if (size > largest[w->triangle[t].facet])
         {
@@ -451,73 +358,14 @@ static int join_triangles(struct dem_walls *w, double scale)
     return status;
 }
 
-/* Area and centroid of the triangles of each wall. */
-static void measure(struct dem_walls *w)
-{
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        const struct dem_triangle *const here = &w->triangle[t];
-        struct dem_wall *const of = &w->wall[here->wall];
-        double n[3];
-        const double area = 0.5*area_vector(here, n);
-
-        of->area += area;
-        for (int k = 0; k < 3; k++)
-        {
-            of->centroid[k] +=
-                area*(here->corner[0][k] + here->corner[1][k] + here->corner[2][k])/3.0;
-        }
-    }
-    for (int k = 0; k < w->walls; k++)
-    {
-        for (int a = 0; a < 3 && w->wall[k].area > 0.0; a++)
-        {
-            w->wall[k].centroid[a] /= w->wall[k].area;
-        }
-    }
-}
-
-/* Which frames have walls of triangles, and their boxes. */
-static void find_boxes(struct dem_walls *w)
-{
-    for (int k = 0; k < w->walls; k++)
-    {
-        if (w->wall[k].frame >= 0)
-        {
-            w->frame[w->wall[k].frame].triangles |= w->wall[k].shape == DEM_SHAPE_TRIANGLES;
-        }
-    }
-    for (int k = 0; k < w->frames; k++)
-    {
-        for (int a = 0; a < 3; a++)
-        {
-            w->frame[k].box[0][a] = INFINITY;
-            w->frame[k].box[1][a] = -INFINITY;
-        }
-    }
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        const struct dem_triangle *const here = &w->triangle[t];
-        const int frame = w->wall[here->wall].frame;
-
-        for (int k = 0; k < 9 && frame >= 0; k++)
-        {
-            double(*const box)[3] = w->frame[frame].box;
-
-            box[0][k%3] = fmin(box[0][k%3], here->corner[k/3][k%3]);
-            box[1][k%3] = fmax(box[1][k%3], here->corner[k/3][k%3]);
-        }
-    }
-}
-
 int dem_walls_finish(struct dem_walls *w, double scale)
 {
     w->all_flat_static = 1;
     w->flatness = weld_tolerance*scale;
     if (w->triangles > 0)
     {
-        DEM_TRY(drop_degenerate(w, scale));
-        find_boxes(w);
+        DEM_TRY(dem_walls_drop_flat(w, weld_tolerance*scale));
+        dem_walls_find_boxes(w);
         dem_walls_choose_periods(w);
         DEM_TRY(join_triangles(w, scale));
         DEM_TRY(choose_planes(w));
@@ -525,10 +373,10 @@ int dem_walls_finish(struct dem_walls *w, double scale)
     }
     else
     {
-        find_boxes(w);
+        dem_walls_find_boxes(w);
         DEM_TRY(number_facets(w, NULL));
     }
-    measure(w);
+    dem_walls_measure(w);
     dem_walls_find_push(w);
     return dem_walls_make_marks(w);
 }
