@@ -58,6 +58,55 @@ static void dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
 #endif
 }
 
+/* 1 when a force of the scene acts on a particle (particles/applied_forces.c). */
+static int dem_acts(global const struct dem_device_applied *f, global const long *ids, double time,
+                    double4 x, double4 rest)
+{
+    const long id = as_long(rest.y);
+    uint from = f->first, to = f->end;
+
+    if (!(time >= f->from && time < f->until && x.x >= f->min[0] && x.x < f->max[0] &&
+          x.y >= f->min[1] && x.y < f->max[1] && x.z >= f->min[2] && x.z < f->max[2]) ||
+        (f->material >= 0 && (uint)f->material != ((uint)as_ulong(rest.z) & 0xffffu)))
+    {
+        return 0;
+    }
+    while (from < to && ids[from + (to - from)/2] != id)
+    {
+        const uint middle = from + (to - from)/2;
+
+        from = ids[middle] < id ? middle + 1 : from;
+        to = ids[middle] < id ? to : middle;
+    }
+    return from < to || f->all;
+}
+
+/* The scene's forces on a particle, of all that act, to the row; torques [N m]. */
+static void dem_apply(constant struct dem_device_batch *b, uint s,
+                      global const struct dem_device_applied *applied, global const long *ids,
+                      double4 x, double4 v, double4 rest, struct dem_body_row *r, double torque[3])
+{
+    const double time = b->window_start + (double)(b->first + (int64_t)s)*b->dt;
+    double force[3] = {0.0, 0.0, 0.0};
+
+    for (uint k = 0; k < b->applied && v.w > 0.0; k++)
+    {
+        const int acts = dem_acts(applied + k, ids, time, x, rest);
+
+        for (int m = 0; acts && m < 3; m++)
+        {
+            force[m] += applied[k].force[m];
+            torque[m] += applied[k].torque[m];
+        }
+    }
+    if (b->applied > 0)
+    {
+        r->fx += force[0];
+        r->fy += force[1];
+        r->fz += force[2];
+    }
+}
+
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
 void bodies(constant struct dem_device_batch *b, global struct dem_device_report *report, uint s,
             global double4 *restrict record, global const uchar *restrict touch,
@@ -65,7 +114,9 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
             global const double4 *restrict energy, global const uint *restrict start,
             global const uint *restrict entry, global double *restrict lost,
             constant struct dem_device_axes *axes, global double *restrict columns,
-            global const double *restrict rates)
+            global const double *restrict rates,
+            global const struct dem_device_applied *restrict applied,
+            global const long *restrict ids)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -79,19 +130,22 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
     {
         double4 x = record[4*(size_t)i], v = record[4*(size_t)i + 1], w = record[4*(size_t)i + 2];
         const double4 rest = record[4*(size_t)i + 3];
-#ifdef COLUMN_ORIENTATION
-        /* the host has turned particles before the first step */
-        global double4 *const turned =
-            (global double4 *)(columns + (size_t)COLUMN_ORIENTATION*b->particles) + i;
-        double turn_of[4] = {turned->x, turned->y, turned->z, turned->w};
+        /* the host has turned particles and advanced eddies before the first step */
+        const int later = b->first + (int64_t)s > b->first_of_all;
 
-        if (b->first + (int64_t)s > b->first_of_all)
+#ifdef COLUMN_ORIENTATION
+        global double *const turned =
+            columns + (size_t)COLUMN_ORIENTATION*b->particles + 4*(size_t)i;
+        double turn_of[4] = {turned[0], turned[1], turned[2], turned[3]};
+
+        dem_turn(w.x, w.y, w.z, 0.5*b->dt, turn_of);
+        for (int k = 0; later && k < 4; k++)
         {
-            dem_turn(w.x, w.y, w.z, 0.5*b->dt, turn_of);
-            *turned = (double4)(turn_of[0], turn_of[1], turn_of[2], turn_of[3]);
+            turned[k] = turn_of[k];
         }
 #endif
         double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
+        double applied_torque[3] = {0.0, 0.0, 0.0};
         struct dem_body_row r;
 
         dem_sum_rows(b, i, x.w, touch, force, moment, energy, start, entry, lost, f, t);
@@ -119,10 +173,17 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #endif
 #if FLUID
         dem_fluid_begin(columns, n, i, b->over_window, &r);
+#ifdef COLUMN_EDDY
+        dem_fluid_eddy(columns, n, i, h, later ? (ulong)(b->number + s) : 0, as_ulong(rest.y), &r);
+#else
+        (void)later;
+#endif
         BODIES(BODY_ARGUMENTS);
+        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_torque);
         dem_fluid_kick(columns, n, i, h, &r, &v);
 #else
         BODIES(BODY_ARGUMENTS);
+        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_torque);
 
         const double step = h*v.w;
 
@@ -144,6 +205,12 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         w.y += turn*t[1];
         w.z += turn*t[2];
 #endif
+        if (b->applied > 0)
+        {
+            w.x += applied_torque[0]*w.w*h;
+            w.y += applied_torque[1]*w.w*h;
+            w.z += applied_torque[2]*w.w*h;
+        }
 #if SCALARS
         if (dem_particle_scalars_end(columns, n, i, h, rest.x, (uint)as_ulong(rest.z) & 0xffffu, &q))
         {

@@ -52,7 +52,7 @@ struct dem_device
     /* of rows: the present lists and those before; results of a step; a copy */
     struct dem_device_rows list[2];
     int at;
-    struct dem_opencl_memory force, moment, energy, contacts, loads, conditions, rates, before_touch, before_history;
+    struct dem_opencl_memory force, moment, energy, contacts, loads, conditions, rates, applied, ids, before_touch, before_history;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates;

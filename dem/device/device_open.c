@@ -147,7 +147,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
         &d->batch, &d->report, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->loads, &d->conditions,
-        &d->rates,
+        &d->rates, &d->applied, &d->ids,
         &d->candidate_start, &d->candidates, &a->near, &b->near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
         &d->before_columns, &d->force, &d->moment,

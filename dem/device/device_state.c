@@ -114,6 +114,42 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
 
 /* ---- state up and down ------------------------------------------------------------------------- */
 
+/* Forces of the scene on chosen particles. */
+static int put_applied(struct dem_device *d, const struct dem_applied_forces *a)
+{
+    struct dem_device_applied *all;
+    size_t ids = 0;
+    int status = DEM_OK;
+
+    for (int k = 0; k < a->n; k++)
+    {
+        ids += a->force[k].count;
+    }
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->ids, ids*sizeof(int64_t)));
+    DEM_TRY(DEM_NEW(all, a->n + 1));
+    ids = 0;
+    for (int k = 0; k < a->n; k++)
+    {
+        const struct dem_applied_force *const f = &a->force[k];
+
+        all[k] = (struct dem_device_applied){.from = f->start, .until = f->end,
+                                             .material = f->material, .all = !f->ids,
+                                             .first = (uint32_t)ids,
+                                             .end = (uint32_t)(ids + f->count)};
+        memcpy(all[k].force, f->force, sizeof f->force);
+        memcpy(all[k].torque, f->torque, sizeof f->torque);
+        memcpy(all[k].min, f->min, sizeof f->min);
+        memcpy(all[k].max, f->max, sizeof f->max);
+        status = status ? status
+                        : dem_opencl_write(d->cl, &d->ids, ids*sizeof(int64_t),
+                                           f->count*sizeof(int64_t), f->ids);
+        ids += f->count;
+    }
+    status = status ? status : dem_opencl_put(d->cl, &d->applied, (size_t)a->n*sizeof *all, all);
+    dem_memory_free(all);
+    return status;
+}
+
 /* History of rows that do not touch is zero on the host, so all rows count as touching before. Rows
    that make up whole batches repeat others, and no entry has them. */
 int dem_device_put(struct dem_device *d, const struct dem_state *state)
@@ -124,6 +160,7 @@ int dem_device_put(struct dem_device *d, const struct dem_state *state)
     const double *const lost = dem_column(&state->particles, DEM_COLUMN_LOST_ENERGY);
 
     DEM_TRY(put_lists(d, state));
+    DEM_TRY(put_applied(d, &state->applied_forces));
     struct dem_device_rows *const list = &d->list[d->at];
     const size_t column = list->rows*sizeof(double);
 

@@ -49,7 +49,7 @@ static int give_arguments(struct dem_device *d)
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->touch, &d->force, &d->moment,
                            &d->energy, &list->start, &list->entry, &d->lost, &d->axes, &d->columns,
-                           &d->rates);
+                           &d->rates, &d->applied, &d->ids);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
@@ -112,6 +112,8 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .over_window = state->window.length > 0.0 ? 1.0/state->window.length : 0.0,
         .first = steps->first + steps->made,
         .first_of_all = steps->first,
+        .number = state->steps + steps->made,
+        .applied = (uint32_t)state->applied_forces.n,
         /* a margin for rounding: the host decides */
         .max_overlap = state->limits.limit*(1.0 - 0x1p-20),
         .overlap = (float)state->limits.overlap,

@@ -66,6 +66,42 @@ static void dem_fluid_begin(global const double *restrict columns, uint n, uint 
     r->fz += over_window*VECTOR(CARRIED_OVER_IMPULSE, 2);
 }
 
+#ifdef COLUMN_EDDY
+#include "laws/fluid/eddy.h"
+
+/* The fluid's velocity has the eddy's, which has advanced by this step (0: before); after
+   dem_fluid_begin. */
+static void dem_fluid_eddy(global double *columns, uint n, uint i, double dt, ulong step, ulong id,
+                           struct dem_body_row *r)
+{
+    global double *const eddy = columns + (size_t)COLUMN_EDDY*n + 4*(size_t)i;
+    global const double *const k = columns + (size_t)COLUMN_TURBULENCE*n + 2*(size_t)i;
+    const double speed = dem_eddy_speed(k[0]);
+    const struct dem_eddies model = {EDDIES};
+    double e[4] = {eddy[0], eddy[1], eddy[2], eddy[3]};
+
+    if (step > 0)
+    {
+        const double x = speed*e[0] + (VECTOR(FLUID_VELOCITY, 0) - r->vx),
+                     y = speed*e[1] + (VECTOR(FLUID_VELOCITY, 1) - r->vy),
+                     z = speed*e[2] + (VECTOR(FLUID_VELOCITY, 2) - r->vz);
+
+        e[3] -= dt*dem_eddy_rate(&model, k[0], k[1], sqrt(x*x + y*y + z*z));
+        if (e[3] <= 0.0)
+        {
+            dem_eddy_begin(&model, id, step, e);
+        }
+        for (int m = 0; m < 4; m++)
+        {
+            eddy[m] = e[m];
+        }
+    }
+    r->ux += speed*e[0];
+    r->uy += speed*e[1];
+    r->uz += speed*e[2];
+}
+#endif
+
 /* The kick over h of velocities; v: also 1/m. */
 static void dem_fluid_kick(global double *restrict columns, uint n, uint i, double h,
                            struct dem_body_row *r, double4 *v)

@@ -14,6 +14,7 @@
 #include "device/program_scalars.h"
 #include "device/texts.h"
 #include "laws/effects.h"
+#include "laws/fluid/eddy.h"
 #include "walls/spring_kinds.h"
 #include <stdint.h>
 #include <stdio.h>
@@ -159,7 +160,7 @@ static const struct dem_device_text *law_text(const struct dem_effect *e)
 
 const char *dem_device_effect_refusal(const struct dem_effect *e)
 {
-    return !law_text(e) || e->eddies ? "has no text for devices" : NULL;
+    return law_text(e) || e->eddies ? NULL : "has no text for devices";
 }
 
 /* The settings of an effect: settings_<class>_<k>, a constant of the program. */
@@ -341,10 +342,24 @@ int dem_device_has_facets(const struct dem_walls *w)
 
 /* ---- the program ----------------------------------------------------------------------------- */
 
+/* The model of eddies, for fluid.cl. */
+static void add_eddies(struct composer *c, const struct dem_effect_entry *e)
+{
+    struct dem_eddies model = {0};
+
+    e->effect->eddies(e->settings, &model);
+    dem_text_add(c->out, "#define EDDIES .lifetime = %a, .length = %a, .seed = %llu\n",
+                 model.lifetime, model.length, (unsigned long long)model.seed);
+}
+
 static int include_laws(struct composer *c, const struct dem_effect_list *list)
 {
     for (int k = 0; k < list->entries; k++)
     {
+        if (list->entry[k].effect->eddies)
+        {
+            add_eddies(c, &list->entry[k]);
+        }
         DEM_TRY(include(c, law_text(list->entry[k].effect)));
     }
     return DEM_OK;
@@ -356,13 +371,19 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
 
     for (int k = 0; k < list->entries; k++)
     {
-        add_settings(c, "body", k, &list->entry[k]);
+        if (!list->entry[k].effect->eddies)
+        {
+            add_settings(c, "body", k, &list->entry[k]);
+        }
     }
     dem_text_add(c->out, "static void body_laws(struct dem_body_row *r%s)\n{\n",
                  c->scalars ? ", struct dem_particle_scalars *q" : "");
     for (int k = 0; k < list->entries; k++)
     {
-        add_call(c, "body", k, &list->entry[k], "row", "");
+        if (!list->entry[k].effect->eddies)
+        {
+            add_call(c, "body", k, &list->entry[k], "row", "");
+        }
     }
     dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS %s\n#define MOMENTS %d\n"
                  "#define PAST_TOUCHING %d\n", c->scalars ? "&r, &q" : "&r", table->moments,

@@ -65,11 +65,10 @@ static const char *run_reason(const struct dem_state *state)
 {
     const struct dem_particles *const p = &state->particles;
 
-    return dem_column(p, DEM_COLUMN_EDDY) || p->batch.n > 1 ? "the fluid around particles has eddies"
+    return p->batch.n > 1                          ? "the fluid has scalars besides the viscosity"
            : state->interaction_table.parcels.used ? "particles are parcels"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
-           : state->applied_forces.n > 0           ? "there are forces on chosen particles (forces)"
                                                    : NULL;
 }
 

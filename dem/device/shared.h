@@ -74,6 +74,14 @@ struct dem_device_condition
     int given;
 };
 
+/* a force of the scene on chosen particles: struct dem_applied_force */
+struct dem_device_applied
+{
+    double force[3], torque[3], from, until, min[3], max[3];    /* N, N m, s, s, m, m */
+    int material, all;                      /*    all: not by ids */
+    uint32_t first, end;                    /*    of its ids */
+};
+
 /* rounding of the drift along each axis, and axes without motion (dem_domain) */
 struct dem_device_axes
 {
@@ -122,6 +130,8 @@ struct dem_device_batch
     uint32_t particles, stride;             /*    stride: rows of a history column */
     uint32_t walls;                         /*    the first row of a wall */
     uint32_t frames;                        /*    of moving walls, for each step */
+    uint32_t applied;                       /*    forces of the scene */
+    int64_t number;                         /*    of the first step of the batch, in the run */
 };
 
 #endif
