@@ -27,7 +27,7 @@ enum
 struct output_particle
 {
     double position[3], velocity[3], spin[3], force[3], orientation[4], diameter;
-    int64_t id, material;
+    int64_t id, material, clump;
 };
 
 static int read_keep(struct dem_output *o, const struct dem_dict *write)
@@ -115,6 +115,7 @@ static int copy_particles(const struct dem *d, struct output_particle **mine, in
         {
             memcpy(s->orientation, v.orientation + 4*i, sizeof s->orientation);
         }
+        s->clump = v.clump ? *(const int64_t *)(const void *)((const char *)v.clump + v.stride*i) : 0;
         s->diameter = 2.0**dem_at(v.radius, v.stride, i);
         s->id = *(const int64_t *)(const void *)((const char *)v.id + v.stride*i);
         s->material = *(const uint16_t *)(const void *)((const char *)v.material + v.stride*i);
@@ -133,7 +134,7 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
     DEM_TRY(copy_particles(d, &s, &n));
     const size_t stride = sizeof *s;
     const enum dem_vtk_type real = o->wide ? DEM_VTK_DOUBLE : DEM_VTK_FLOAT32;
-    struct dem_vtk_column columns[8 + MAX_SCALARS] =
+    struct dem_vtk_column columns[9 + MAX_SCALARS] =
     {
         {"points", s->position, stride, DEM_VTK_DOUBLE, 3},
         {"id", &s->id, stride, DEM_VTK_INT64, 1},
@@ -146,6 +147,13 @@ static int write_particles(const struct dem_output *o, const struct dem_program 
     };
     int count = 8 - !o->orientation;
     char path[640];
+    struct dem_view view;
+
+    dem_view(d, &view);
+    if (view.clump)
+    {
+        columns[count++] = (struct dem_vtk_column){"clump", &s->clump, stride, DEM_VTK_INT64, 1};
+    }
 
     for (int k = 0; k < dem_scalar_count(d); k++)
     {

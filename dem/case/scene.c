@@ -377,6 +377,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(dem_clump_shapes_read(&s->shapes, scene));
     DEM_TRY(dem_dict_sub_if(scene, "insert", &insert));
     DEM_TRY(dem_dict_sub_if(scene, "outlets", &outlets));
+    s->streams.shapes = &s->shapes;
     DEM_TRY(dem_dict_sub_if(scene, "planes", &planes));
     DEM_TRY(dem_streams_read(&s->streams, insert, outlets, r, d));
     for (int k = 0; k < w->walls; k++)

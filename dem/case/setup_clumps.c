@@ -117,6 +117,10 @@ int dem_api_begin_clumps(struct dem *d)
                     "particle %lld of the snapshot is a sphere of a clump, but the scene has no shapes; "
                     "add those of the run that wrote it", (long long)p->particles.record[i].id);
     }
+    for (size_t k = 0; k < d->scene.shapes.n; k++)
+    {
+        reach = fmax(reach, d->scene.shapes.shape[k].reach);    /* of streams, too */
+    }
     if (column)
     {
         dem_collect_max_double(&p->decomposition, &reach, 1);

@@ -277,6 +277,8 @@ struct dem_view
     const double *force, *torque;              /* N, N m  of contacts, contiguous, 3 each */
     const double *orientation;                 /* contiguous, 4 each; NULL without
                                                   dem_case_enable_orientation */
+    const int64_t *clump;                      /* with stride; 1 + the first id of the rigid body
+                                                  that it belongs to, 0: none; NULL without shapes */
     double period[3];                          /* m  length of the box along periodic axes, 0 along
                                                   others: positions that differ by it are one */
 };

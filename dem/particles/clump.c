@@ -296,24 +296,33 @@ void dem_clumps_drift(const struct dem_clumps *c, struct dem_particles *p,
     }
 }
 
-/* Of the spheres of a body, at its present position. */
-static void set_velocities(const struct dem_clumps *c, size_t body, struct dem_particles *p)
+/* Velocity and spin of a sphere from its body. */
+static void set_velocity(struct dem_particles *p, size_t i)
 {
+    const struct dem_clump *const b = dem_clump_at(p, i);
     double w[3], arm[3], turning[3];
 
-    dem_clump_spin(dem_clump_at(p, c->member[c->start[body]]), w);
-    for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+    dem_clump_spin(b, w);
+    dem_clump_rotate(b->q, b->offset, arm);
+    dem_vec_cross(w, arm, turning);
+    for (int a = 0; a < 3; a++)
     {
-        struct dem_particle *const r = &p->record[c->member[k]];
-        const struct dem_clump *const b = dem_clump_at(p, c->member[k]);
+        p->record[i].v[a] = b->v[a] + turning[a];
+        p->record[i].w[a] = w[a];
+    }
+}
 
-        dem_clump_rotate(b->q, b->offset, arm);
-        dem_vec_cross(w, arm, turning);
-        for (int a = 0; a < 3; a++)
-        {
-            r->v[a] = b->v[a] + turning[a];
-            r->w[a] = w[a];
-        }
+void dem_clump_fall(struct dem_particles *p, size_t i, const double g[3], double h)
+{
+    struct dem_clump *const b = dem_clump_of(p, i);
+
+    for (int a = 0; b && a < 3; a++)
+    {
+        b->v[a] += h*g[a];
+    }
+    if (b)
+    {
+        set_velocity(p, i);
     }
 }
 
@@ -345,6 +354,9 @@ void dem_clumps_kick(const struct dem_clumps *c, struct dem_particles *p, const 
             b->momentum[a] += h*T[a];
         }
         share(c, body, p);
-        set_velocities(c, body, p);
+        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+        {
+            set_velocity(p, c->member[k]);
+        }
     }
 }

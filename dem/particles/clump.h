@@ -123,6 +123,9 @@ void dem_clumps_drift(const struct dem_clumps *, struct dem_particles *, const s
    for bodies, with the contact forces in the columns and gravity g [m/s2]. */
 void dem_clumps_kick(const struct dem_clumps *, struct dem_particles *, const double g[3], double h);
 
+/* The same for a sphere of a body that touches nothing, and its body. */
+void dem_clump_fall(struct dem_particles *, size_t i, const double g[3], double h);
+
 /* Wrap the centre of the body of a particle along periodic axes. */
 void dem_clump_wrap(const struct dem_domain *, const struct dem_particles *, size_t i);
 

@@ -357,7 +357,8 @@ void dem_particles_view(const struct dem_particles *p, const double period[3], s
                            .flags = &r->flags,
                            .force = dem_column(p, DEM_COLUMN_FORCE),
                            .torque = dem_column(p, DEM_COLUMN_TORQUE),
-                           .orientation = dem_column(p, DEM_COLUMN_ORIENTATION)};
+                           .orientation = dem_column(p, DEM_COLUMN_ORIENTATION),
+                           .clump = dem_column(p, DEM_COLUMN_CLUMP) ? &r->body : NULL};
     memcpy(v->period, period, sizeof v->period);
 }
 

@@ -121,12 +121,12 @@ void dem_energy_balance_particle_out(struct dem_state *p, const struct dem_parti
 
 void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_particle *r)
 {
-    const double inertia = 0.4*r->mass*r->radius*r->radius;
+    const size_t i = (size_t)(r - p->particles.record);
+    struct dem_particle_share s;
 
-    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN],
-                           0.5*r->mass*dem_vec_dot(r->v, r->v) +
-                               0.5*inertia*dem_vec_dot(r->w, r->w));
-    dem_energy_balance_add_content(p, (size_t)(r - p->particles.record), 1.0,
+    dem_particle_share(&p->particles, i, &s);
+    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN], s.kinetic[0] + s.kinetic[1]);
+    dem_energy_balance_add_content(p, i, 1.0,
                                    &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
 }
 

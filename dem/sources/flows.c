@@ -174,14 +174,18 @@ void dem_flows_begin_columns(struct dem_state *p, size_t i, const struct dem_uni
     }
 }
 
-static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
+static int insert_sphere(struct dem_state *p, const struct dem_arrival *new,
+                         const struct dem_particle *q, const struct dem_clump *body)
 {
-    const struct dem_particle *const q = &new->particle;
     const struct dem_stream *const s = &p->flows->plan->stream[new->stream];
     struct dem_particles *const all = &p->particles;
     const size_t i = all->n;
 
     DEM_TRY(dem_particles_add(all, q));
+    if (body)
+    {
+        *dem_clump_at(all, i) = *body;
+    }
     for (int k = 0; k < p->interaction_table.scalars; k++)
     {
         dem_scalar_values(all, k)[i] =
@@ -191,6 +195,28 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
     if (p->energy_balance->open)
     {
         dem_energy_balance_particle_in(p, &all->record[i]);
+    }
+    return DEM_OK;
+}
+
+static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
+{
+    const struct dem_stream *const s = &p->flows->plan->stream[new->stream];
+    const double density = p->interaction_table.material[s->material].density;
+    struct dem_clump body;
+
+    if (!s->clump.shape)
+    {
+        return insert_sphere(p, new, &new->particle, NULL);
+    }
+    dem_clump_source_make(&s->clump, (uint64_t)s->seed, new->number, density, &new->particle, &body);
+    for (size_t k = 0; k < s->clump.shape->n; k++)
+    {
+        struct dem_particle q =
+            dem_clump_source_sphere(&s->clump, density, &new->particle, k, &body);
+
+        dem_domain_wrap(&p->domain, &q);
+        DEM_TRY(insert_sphere(p, new, &q, &body));
     }
     return DEM_OK;
 }

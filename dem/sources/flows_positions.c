@@ -52,8 +52,7 @@ static double next_mass(const struct dem_state *p, int k)
 {
     const struct dem_stream *const s = &p->flows->plan->stream[k];
 
-    return p->interaction_table.material[s->material].density*
-           dem_sphere_volume(0.5*dem_stream_diameter(s, p->flows->flow[k].count));
+    return dem_stream_mass(s, &p->interaction_table, p->flows->flow[k].count);
 }
 
 /* particles or kg  due now and not yet inserted */
@@ -157,7 +156,21 @@ static int add_arrival(struct dem_state *p, int stream, struct dem_inlet_grid *g
     return dem_inlet_grid_insert(grid, q->x, q->radius);
 }
 
-static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle *q)
+/* Energy of rotation [J] of the next particle, which a body has in its orientation. */
+static double rotation(const struct dem_stream *s, const struct dem_snapshot_flow *f, double density,
+                       const struct dem_particle *q)
+{
+    struct dem_clump body;
+
+    if (!s->clump.shape)
+    {
+        return 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
+    }
+    dem_clump_source_make(&s->clump, (uint64_t)s->seed, f->count, density, q, &body);
+    return 0.5*dem_vec_dot(body.momentum, q->w);
+}
+
+static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle *q, double turning)
 {
     f->count++;
     f->mass += q->mass;
@@ -165,8 +178,7 @@ static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle
     {
         f->momentum[k] += q->mass*q->v[k];
     }
-    f->energy += 0.5*q->mass*dem_vec_dot(q->v, q->v) +
-                 0.2*q->mass*q->radius*q->radius*dem_vec_dot(q->w, q->w);
+    f->energy += 0.5*q->mass*dem_vec_dot(q->v, q->v) + turning;
 }
 
 /* One particle after the other, as they are due, until one finds no free position. */
@@ -185,6 +197,7 @@ static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
         struct dem_particle q =
             dem_particle_sphere(f->next_id, zero, dem_stream_diameter(s, row->count), density,
                                 s->material);
+        q.mass = dem_stream_mass(s, &p->interaction_table, row->count);
         const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) -
                            (s->by_mass ? row->mass : (double)row->count);
 
@@ -201,12 +214,12 @@ static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
         {
             return DEM_OK;
         }
-        DEM_REQUIRE(f->next_id < INT64_MAX, DEM_ERROR_INPUT,
+        DEM_REQUIRE(f->next_id < INT64_MAX - DEM_CLUMP_SPHERES, DEM_ERROR_INPUT,
                     "insert/%s: no 64-bit id is left for its next particle; give the initial "
                     "particles smaller ids", s->name);
         DEM_TRY(add_arrival(p, k, grid, &q));
-        add_to_totals(row, &q);
-        f->next_id++;
+        add_to_totals(row, &q, rotation(s, row, density, &q));
+        f->next_id += dem_clump_source_ids(&s->clump);
     }
 }
 

@@ -110,7 +110,10 @@ static int read_group(const struct dem_dict *dict, const struct dem_interaction_
     DEM_REQUIRE(!(b->frozen && b->driven), DEM_ERROR_INPUT,
                 "%s: frozen particles stay, driven ones keep their velocity; give one of the two",
                 b->where);
-    DEM_TRY(dem_insert_group_read_clump(b, i));
+    DEM_TRY(dem_clump_source_read(&b->clump, dict, i->shapes, i->domain, b->where));
+    DEM_REQUIRE(!b->clump.shape || (!b->frozen && !b->driven), DEM_ERROR_INPUT,
+                "%s: clumps are neither frozen nor driven; leave it out, or make a wall of triangles",
+                b->where);
     DEM_TRY(dem_scalar_entries_read(dict, r, 0, b->scalar));
     DEM_TRY(dem_scalar_entries_parcel_ratio(r, b->scalar, b->where, &b->ratio));
     DEM_TRY(dem_insert_group_read_type(b, r, i, w, type));
@@ -152,7 +155,7 @@ int dem_insert_read(struct dem_insertion *i, const struct dem_dict *insert,
         struct dem_insert_group *const b = &i->group[i->n++];
 
         DEM_TRY(read_group(dem_entry_dict(e), r, i, w, b));
-        DEM_REQUIRE(b->ids || b->count <= (INT64_MAX - next)/dem_insert_group_ids(b), DEM_ERROR_INPUT,
+        DEM_REQUIRE(b->ids || b->count <= (INT64_MAX - next)/dem_clump_source_ids(&b->clump), DEM_ERROR_INPUT,
                     "%s: %lld more ids from %lld on pass the largest, %lld; "
                     "give smaller ids to the groups before it",
                     b->where, (long long)b->count, (long long)next, (long long)INT64_MAX - 1);

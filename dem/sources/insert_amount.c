@@ -75,7 +75,7 @@ int dem_amount_read(struct dem_amount *a, const struct dem_insert_group *b,
 
 static int count_equal(struct dem_insert_group *b, const struct dem_amount *a, double diameter)
 {
-    const double each = b->clump ? b->clump->volume : pi/6.0*diameter*diameter*diameter;
+    const double each = b->clump.shape ? b->clump.shape->volume : pi/6.0*diameter*diameter*diameter;
     const double nearest = floor(a->volume/each + 0.5);
 
     b->diameter = diameter;

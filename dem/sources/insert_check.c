@@ -16,11 +16,11 @@ void dem_insert_radii(const struct dem_insertion *i, double *min, double *max)
     for (size_t k = 0; k < i->n; k++)
     {
         const struct dem_insert_group *const b = &i->group[k];
-        const int64_t sizes = b->clump ? dem_insert_group_ids(b) : b->diameters ? b->count : 1;
+        const int64_t sizes = b->clump.shape ? dem_clump_source_ids(&b->clump) : b->diameters ? b->count : 1;
 
         for (int64_t m = 0; m < (b->count > 0 ? sizes : 0); m++)
         {
-            const double radius = b->clump ? b->clump->sphere[m][3]
+            const double radius = b->clump.shape ? b->clump.shape->sphere[m][3]
                                            : 0.5*dem_insert_group_diameter(b, m);
 
             min[b->material] = min[b->material] > 0.0 ? fmin(min[b->material], radius) : radius;
@@ -86,7 +86,7 @@ static size_t list_ranges(const struct dem_insertion *i, size_t n, const int64_t
         }
         if (!b->ids && b->count > 0)
         {
-            range[count++] = (struct id_range){next, next + b->count*dem_insert_group_ids(b) - 1};
+            range[count++] = (struct id_range){next, next + b->count*dem_clump_source_ids(&b->clump) - 1};
         }
         next = dem_insert_group_next_id(b, next);
     }

@@ -8,6 +8,7 @@
 #define DEM_SOURCES_INSERT_GROUP_H
 
 #include "sources/insert.h"
+#include "sources/insert_clump.h"
 #include "sources/insertion_limits.h"
 #include "sources/insertion_shape.h"
 #include "particles/scalar_entry.h"
@@ -24,10 +25,8 @@ struct dem_insert_group
     enum dem_insert_type type;
     int material;
     bool frozen, driven;
-    const struct dem_clump_shape *clump;   /* of rigid bodies, inserted like spheres of the diameter
-                                              that holds them; NULL: spheres */
-    const double *orientation;         /* of all of them, a quaternion; NULL: random */
-    const struct dem_domain *domain;
+    struct dem_clump_source clump;     /* with a shape: rigid bodies, inserted like spheres of the
+                                          diameter that holds them */
     int64_t count, seed;
     double velocity[3], spin[3];       /* m/s, 1/s */
     double ratio;                      /* 1  of its parcels, unless there is a list; 1: none */
@@ -62,26 +61,6 @@ int dem_insert_group_read_table(struct dem_insert_group *, const struct dem_inte
 
 /* The first free id after this group, when `first` is the first free one before it. */
 int64_t dem_insert_group_next_id(const struct dem_insert_group *, int64_t first);
-
-/* Read the entries shape and orientation. */
-int dem_insert_group_read_clump(struct dem_insert_group *, const struct dem_insertion *);
-
-/* Add the spheres of body `number`, whose centre, velocity and spin the particle has. */
-int dem_insert_group_add_clump(struct dem_initial_particles *, const struct dem_insert_group *,
-                               const struct dem_interaction_table *, const struct dem_particle *,
-                               int64_t number);
-
-/* Number of ids of a particle of the group: of its spheres. */
-static inline int64_t dem_insert_group_ids(const struct dem_insert_group *b)
-{
-    return b->clump ? (int64_t)b->clump->n : 1;
-}
-
-/* Solid volume [m3] of a particle of this diameter [m]. */
-static inline double dem_insert_group_volume(const struct dem_insert_group *b, double diameter)
-{
-    return b->clump ? b->clump->volume : dem_sphere_volume(0.5*diameter);
-}
 
 /* Centre [m] of the m-th particle of a lattice. */
 void dem_insert_group_site(const struct dem_insert_group *, int64_t m, double x[3]);

@@ -33,14 +33,30 @@ static struct dem_particle make_particle(const struct dem_insert_group *b,
     return p;
 }
 
+/* Add the spheres of a body. */
+static int add_clump(struct dem_initial_particles *c, const struct dem_insert_group *b,
+                     double density, const struct dem_particle *p, int64_t number)
+{
+    struct dem_clump body;
+
+    dem_clump_source_make(&b->clump, (uint64_t)b->seed, number, density, p, &body);
+    for (size_t k = 0; k < b->clump.shape->n; k++)
+    {
+        DEM_TRY(dem_initial_particles_add(
+            c, dem_clump_source_sphere(&b->clump, density, p, k, &body), b->where));
+        c->clump[c->n - 1] = body;
+    }
+    return DEM_OK;
+}
+
 /* Add particle `number` of the group, with its scalars. */
 static int add_particle(struct dem_initial_particles *c, const struct dem_insert_group *b,
                         const struct dem_interaction_table *r, const struct dem_particle *p,
                         int64_t number)
 {
-    if (b->clump)
+    if (b->clump.shape)
     {
-        return dem_insert_group_add_clump(c, b, r, p, number);
+        return add_clump(c, b, r->material[b->material].density, p, number);
     }
     DEM_TRY(dem_initial_particles_add(c, *p, b->where));
     for (int k = 0; k < c->scalars; k++)
@@ -100,7 +116,7 @@ static int take_sites(struct dem_insert_group *b, const struct dem_decomposition
 static int place_sites(struct dem_initial_particles *c, const struct dem_insert_group *b,
                        const struct dem_interaction_table *r)
 {
-    const int64_t ids = dem_insert_group_ids(b), first = c->next_id + b->site_first*ids;
+    const int64_t ids = dem_clump_source_ids(&b->clump), first = c->next_id + b->site_first*ids;
 
     for (int64_t k = 0; k < b->site_count; k++)
     {
@@ -152,7 +168,7 @@ static int place_run(struct dem_initial_particles *c, const struct dem_insert_gr
             dem_insert_group_site(b, m, x);
         }
         p = make_particle(b, r, b->type == DEM_INSERT_LATTICE ? x : b->positions[m], m);
-        p.id = b->ids ? b->ids[m] : first + m*dem_insert_group_ids(b);
+        p.id = b->ids ? b->ids[m] : first + m*dem_clump_source_ids(&b->clump);
         DEM_TRY(add_particle(c, b, r, &p, m));
     }
     return DEM_OK;
@@ -182,7 +198,7 @@ static int place_random(struct dem_initial_particles *c, const struct dem_insert
         {
             struct dem_particle new = make_particle(b, r, sphere->x, sphere->id);
 
-            new.id = first + sphere->id*dem_insert_group_ids(b);
+            new.id = first + sphere->id*dem_clump_source_ids(&b->clump);
             status = add_particle(c, b, r, &new, sphere->id);
         }
     }
@@ -206,14 +222,14 @@ static int summarize(struct dem_initial_particles *c, const struct dem_insert_gr
     const double density = r->material[b->material].density;
 
     DEM_TRY(dem_initial_particles_begin_group(c, dem_dict_name(b->dict)));
-    for (int64_t m = 0; b->clump && m < dem_insert_group_ids(b); m++)
+    for (int64_t m = 0; b->clump.shape && m < dem_clump_source_ids(&b->clump); m++)
     {
-        const double d = 2.0*b->clump->sphere[m][3];
+        const double d = 2.0*b->clump.shape->sphere[m][3];
 
-        dem_initial_particles_count(c, b->count, d, density*b->clump->volume/b->clump->solid*
+        dem_initial_particles_count(c, b->count, d, density*b->clump.shape->volume/b->clump.shape->solid*
                                                     dem_sphere_volume(0.5*d), b->material);
     }
-    for (int64_t m = 0; !b->clump && m < (b->diameters ? b->count : 1); m++)
+    for (int64_t m = 0; !b->clump.shape && m < (b->diameters ? b->count : 1); m++)
     {
         const double d = dem_insert_group_diameter(b, m);
 
@@ -239,7 +255,7 @@ int dem_insert_place(struct dem_initial_particles *c, struct dem_insertion *i,
 
         /* memory for all of them at once, so that too many fail before any is placed */
         status = status ? status
-                        : DEM_GROW(c->particle, c->capacity, c->n + (size_t)(b->count/q->ranks*dem_insert_group_ids(b)));
+                        : DEM_GROW(c->particle, c->capacity, c->n + (size_t)(b->count/q->ranks*dem_clump_source_ids(&b->clump)));
         status =
             dem_collect_agree(q, status ? dem_error_prefix(status, "%s: %lld particles: ", b->where,
                                                            (long long)b->count)

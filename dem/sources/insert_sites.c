@@ -31,7 +31,7 @@ void dem_insert_group_site(const struct dem_insert_group *b, int64_t m, double x
 
 int64_t dem_insert_group_next_id(const struct dem_insert_group *b, int64_t first)
 {
-    int64_t next = first + (b->ids ? 0 : b->count*dem_insert_group_ids(b));
+    int64_t next = first + (b->ids ? 0 : b->count*dem_clump_source_ids(&b->clump));
 
     for (int64_t m = 0; b->ids && m < b->count; m++)
     {

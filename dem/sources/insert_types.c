@@ -69,10 +69,10 @@ static int read_region(struct dem_insert_group *b, const struct dem_domain *d,
 /* The diameter of a body is that of the sphere that holds it in any orientation. */
 static int read_sizes(struct dem_insert_group *b, struct dem_size_distribution *sizes)
 {
-    if (b->clump)
+    if (b->clump.shape)
     {
-        *sizes = (struct dem_size_distribution){.min = 2.0*b->clump->bound,
-                                                .max = 2.0*b->clump->bound};
+        *sizes = (struct dem_size_distribution){.min = 2.0*b->clump.shape->bound,
+                                                .max = 2.0*b->clump.shape->bound};
         return DEM_OK;
     }
     return dem_size_distribution_read(sizes, b->dict, b->ratio);
@@ -118,7 +118,7 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
 
     DEM_TRY(read_lattice_box(b, d));
     DEM_TRY(read_pitch(b));
-    const double one = b->clump ? b->clump->volume : pi/6.0*b->diameter*b->diameter*b->diameter;
+    const double one = b->clump.shape ? b->clump.shape->volume : pi/6.0*b->diameter*b->diameter*b->diameter;
 
     DEM_TRY(dem_amount_read(&amount, b, r, one));
     for (int k = 0; k < 3; k++)
@@ -159,7 +159,7 @@ static int read_lattice(struct dem_insert_group *b, const struct dem_interaction
 static int read_drawn(struct dem_insert_group *b, const struct dem_interaction_table *r,
                       const struct dem_domain *d, const struct dem_size_distribution *sizes)
 {
-    const double mean = b->clump ? b->clump->volume : dem_size_distribution_mean_volume(sizes);
+    const double mean = b->clump.shape ? b->clump.shape->volume : dem_size_distribution_mean_volume(sizes);
     struct dem_amount amount;
 
     DEM_TRY(read_region(b, d, sizes));
@@ -200,9 +200,9 @@ static int read_diameters(struct dem_insert_group *b, size_t n)
 {
     size_t diameters;
 
-    if (b->clump)
+    if (b->clump.shape)
     {
-        b->diameter = 2.0*b->clump->bound;
+        b->diameter = 2.0*b->clump.shape->bound;
         return DEM_OK;
     }
     if (!dem_dict_has(b->dict, "diameters"))

@@ -113,23 +113,33 @@ static int check_masses(const struct dem_stream *s, const struct dem_interaction
     return DEM_OK;
 }
 
+/* The diameter of a body is that of the sphere that holds it in any orientation. */
+static int read_sizes(struct dem_stream *s, const struct dem_dict *dict)
+{
+    if (s->clump.shape)
+    {
+        s->sizes.min = s->sizes.max = 2.0*s->clump.shape->bound;
+        return DEM_OK;
+    }
+    return dem_size_distribution_read(&s->sizes, dict, s->ratio);
+}
+
 static int read_stream(struct dem_stream *s, const struct dem_dict *dict,
-                       const struct dem_interaction_table *r, const struct dem_domain *d)
+                       const struct dem_interaction_table *r, const struct dem_domain *d,
+                       const struct dem_clump_shapes *shapes)
 {
     const char *type;
 
     memset(s, 0, sizeof *s);
     snprintf(s->where, sizeof s->where, "%s: %s", dem_dict_where(dict), dem_dict_path(dict));
     DEM_TRY(dem_dict_word(dict, "type", &type));
-    DEM_REQUIRE(!dem_dict_has(dict, "shape"), DEM_ERROR_INPUT,
-                "%s: clumps cannot enter by a stream yet; insert them at the start, or leave shape out",
-                s->where);
     DEM_TRY(read_name(s->name, dict, s->where));
     DEM_TRY(dem_material_entry_read(dict, r, &s->material));
     DEM_TRY(dem_dict_int64_or(dict, "seed", 1, &s->seed));
     DEM_TRY(dem_scalar_entries_read(dict, r, 1, s->scalar));
     DEM_TRY(dem_scalar_entries_parcel_ratio(r, s->scalar, s->where, &s->ratio));
-    DEM_TRY(dem_size_distribution_read(&s->sizes, dict, s->ratio));
+    DEM_TRY(dem_clump_source_read(&s->clump, dict, shapes, d, s->where));
+    DEM_TRY(read_sizes(s, dict));
     DEM_TRY(check_masses(s, r));
     if (strcmp(type, "stream") != 0)
     {
@@ -211,7 +221,7 @@ int dem_streams_read(struct dem_streams *s, const struct dem_dict *insert,
         if (dem_entry_is_dict(e) && dem_insert_is_stream(dem_entry_dict(e)))
         {
             DEM_TRY(DEM_GROW(s->stream, s->stream_capacity, s->streams + 1));
-            DEM_TRY(read_stream(&s->stream[s->streams++], dem_entry_dict(e), r, d));
+            DEM_TRY(read_stream(&s->stream[s->streams++], dem_entry_dict(e), r, d, s->shapes));
         }
     }
     for (size_t k = 0; outlets && k < dem_dict_count(outlets); k++)
@@ -274,10 +284,16 @@ void dem_streams_radii(const struct dem_streams *s, double *min, double *max)
     for (int k = 0; k < s->streams; k++)
     {
         const struct dem_stream *const t = &s->stream[k];
-        const double smallest = 0.5*t->sizes.min, largest = 0.5*t->sizes.max;
+        double *const least = &min[t->material], *const most = &max[t->material];
 
-        min[t->material] = min[t->material] > 0.0 ? fmin(min[t->material], smallest) : smallest;
-        max[t->material] = fmax(max[t->material], largest);
+        for (size_t i = 0; i < (t->clump.shape ? t->clump.shape->n : 1); i++)
+        {
+            const double *const sphere = t->clump.shape ? t->clump.shape->sphere[i] : NULL;
+            const double smallest = sphere ? sphere[3] : 0.5*t->sizes.min;
+
+            *least = *least > 0.0 ? fmin(*least, smallest) : smallest;
+            *most = fmax(*most, sphere ? sphere[3] : 0.5*t->sizes.max);
+        }
     }
 }
 
@@ -350,9 +366,17 @@ double dem_stream_diameter(const struct dem_stream *s, int64_t k)
     return dem_size_distribution_draw(&s->sizes, (uint64_t)s->seed, (uint64_t)k);
 }
 
+double dem_stream_mass(const struct dem_stream *s, const struct dem_interaction_table *r, int64_t k)
+{
+    return r->material[s->material].density*
+           dem_clump_source_volume(&s->clump, dem_stream_diameter(s, k));
+}
+
 double dem_stream_mean_mass(const struct dem_stream *s, const struct dem_interaction_table *r)
 {
-    return r->material[s->material].density*dem_size_distribution_mean_volume(&s->sizes);
+    return s->clump.shape ? dem_stream_mass(s, r, 0)
+                          : r->material[s->material].density*
+                                dem_size_distribution_mean_volume(&s->sizes);
 }
 
 double dem_stream_max_travel(const struct dem_stream *s, double ago, double radius)

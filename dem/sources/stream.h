@@ -26,6 +26,7 @@
 #define DEM_SOURCES_STREAM_H
 
 #include "sources/inlet_shape.h"
+#include "sources/insert_clump.h"
 #include "sources/size_distribution.h"
 #include "records/snapshot.h"
 #include "laws/interaction_table.h"
@@ -41,6 +42,8 @@ struct dem_stream
     char name[DEM_FLOW_NAME];
     char where[256];                         /* starts messages */
     int material, by_mass;                   /* 1: mass rate, 0: particle rate */
+    struct dem_clump_source clump;           /* with a shape: rigid bodies, and `sizes` has the
+                                                diameter that holds them */
     struct dem_size_distribution sizes;
     struct dem_inlet_shape inlet;
     int64_t seed, count;                     /* count: limit of the number of particles */
@@ -80,6 +83,7 @@ struct dem_streams
     size_t stream_capacity, outlet_capacity, plane_capacity;
     struct dem_stream *stream;
     struct dem_outlet *outlet;
+    const struct dem_clump_shapes *shapes;  /* of the scene, before streams are read */
     struct dem_flow_plane *plane;
     int meshed;  /* 1: a program with a mesh handles patches */
 };
@@ -107,8 +111,9 @@ int dem_streams_check(const struct dem_streams *, const struct dem_domain *);
 /* Amount due, particles or kg, between the times `since` and `time` [s]. */
 double dem_stream_amount_due(const struct dem_stream *, double since, double time);
 
-/* Diameter of particle number k [m], and the mean mass of a particle [kg]. */
+/* Diameter [m] and mass [kg] of particle number k, and the mean mass of a particle [kg]. */
 double dem_stream_diameter(const struct dem_stream *, int64_t k);
+double dem_stream_mass(const struct dem_stream *, const struct dem_interaction_table *, int64_t k);
 double dem_stream_mean_mass(const struct dem_stream *, const struct dem_interaction_table *);
 
 /* Position x and velocity v of a trial for particle `number` in step `step`. `ago` [s]: time since

@@ -47,11 +47,14 @@ static int read_group_count(struct dem_stream *s, const struct dem_dict *dict,
                                      .type = DEM_INSERT_RANDOM,
                                      .material = s->material,
                                      .seed = s->seed,
-                                     .shape = s->inlet.shape};
+                                     .shape = s->inlet.shape,
+                                     .clump = s->clump};
     struct dem_amount amount;
 
     snprintf(group.where, sizeof group.where, "%s", s->where);
-    DEM_TRY(dem_amount_read(&amount, &group, r, dem_size_distribution_mean_volume(&s->sizes)));
+    DEM_TRY(dem_amount_read(&amount, &group, r,
+                            s->clump.shape ? s->clump.shape->volume
+                                           : dem_size_distribution_mean_volume(&s->sizes)));
     const int status = dem_amount_draw(&group, &amount, &s->sizes);
 
     dem_memory_free(group.drawn);

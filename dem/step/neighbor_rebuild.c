@@ -182,8 +182,11 @@ static int insert_arrivals(struct dem_state *state)
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL}};
     struct dem_body_pass pass;
+    double gravity[3];
 
     const int status = dem_flows_insert(state);
+
+    dem_interaction_table_gravity(&state->interaction_table, gravity);
 
     if (state->dt > 0.0)
     {
@@ -192,6 +195,10 @@ static int insert_arrivals(struct dem_state *state)
                               &backward);
         pass.next = first;
         dem_bodies_work_until(&pass, state->particles.n);
+        for (size_t i = first; dem_column(&state->particles, DEM_COLUMN_CLUMP) && i < state->particles.n; i++)
+        {
+            dem_clump_fall(&state->particles, i, gravity, -0.5*state->dt);
+        }
         dem_domain_constrain(&state->domain, &state->particles);
     }
     return status;

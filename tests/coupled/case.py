@@ -167,6 +167,15 @@ class Case:
         self.initial("U", "0 1 -1 0 0 0 0", velocity, U)
         self.initial("p", "0 2 -2 0 0 0 0", 0, p)
 
+    def duct(self, size, cells, speed, start=0, grading="1 1 1"):
+        """A box with an inlet below, of this velocity [m/s], an outlet above and slippery sides; `start`: the velocity
+        everywhere at the beginning."""
+        self.box(size, cells, {"inlet": ("patch", "z-"), "sides": ("wall", "x- x+ y- y+"), "outlet": ("patch", "z+")},
+                 grading)
+        self.flow(f"(0 0 {start})", f"inlet {{ type fixedValue; value uniform (0 0 {speed}); }} "
+                  "sides { type slip; } outlet { type zeroGradient; }",
+                  '"(inlet|sides)" { type fixedFluxPressure; } outlet { type fixedValue; value uniform 0; }')
+
     def gravity(self, value="(0 0 -9.81)"):
         self.dictionary("constant/g", f"dimensions [0 1 -2 0 0 0 0]; value {value};", "uniformDimensionedVectorField")
 

@@ -181,91 +181,7 @@ static void faulty_meshes(void)
     smooth(t, 0, "T-joints");
 }
 
-/* A floor of two walls that meet under the path: one contact throughout. */
-static void seam(void)
-{
-    const struct dem_new_particle seed = {
-        .position = {-0.004, 0.0, R - overlap_of(weight())}, .velocity = {0.4, 0.0, 0.0},
-        .diameter = 2.0*R, .material = "glass"};
-    struct dem *const d = world(world_text(
-        "%s effects { hertz {} dry { restitution 0.9; } gravity { acceleration (0 0 -9.81); } }"
-        "walls {"
-        " left  { type triangles; material rigid; corners ((-0.02 -0.02 0) (0 -0.02 0) (0 0.02 0)"
-        "                                  (-0.02 -0.02 0) (0 0.02 0) (-0.02 0.02 0)); }"
-        " right { type triangles; material rigid; corners ((0 -0.02 0) (0.02 -0.02 0) (0.02 0.02 0)"
-        "                                  (0 -0.02 0) (0.02 0.02 0) (0 0.02 0)); } }",
-        materials), 1, &seed);
-    double worst = 0.0, left[3] = {0.0}, right[3] = {0.0};
-
-    for (int k = 0; k < 200; k++)
-    {
-        world_run(d, 1e-4);
-        world_wall(d, "left", left);
-        world_wall(d, "right", right);
-        worst = fmax(worst, fabs(left[2] + right[2] + weight()));
-        if (k == 10)
-        {
-            TAP_OK(right[2] == 0.0 && left[2] < 0.0,
-                   "two walls in a plane: the left one carries the weight first");
-        }
-    }
-    TAP_NEAR(worst, 0.0, 1e-6*weight(),
-             "two walls in a plane: the weight passes over without a jump");
-    TAP_OK(left[2] == 0.0 && right[2] < 0.0,
-           "two walls in a plane: the right one carries the weight in the end");
-    dem_free(d);
-}
-
-/* ---- corners and edges ----------------------------------------------------------------------- */
-
-/* Gravity pulls a sphere into a corner. */
-static void corner(int triangles)
-{
-    static const double min[3] = {0.0, 0.0, 0.0}, max[3] = {0.02, 0.02, 0.02};
-    const struct dem_new_particle seed = {
-        .position = {0.006, 0.005, R}, .velocity = {-1.0, -0.8, 0.0}, .diameter = 2.0*R,
-        .material = "glass"};
-    const char *const what = triangles ? "corner of triangles" : "corner of planes";
-    struct dem_case *const c = world_begin(world_text(
-        "%s effects { hertz {} dry { restitution 0.3; } mindlin { friction 0.2; }"
-        "gravity { acceleration (-2 -3 -9.81); } } %s",
-        materials,
-        triangles ? ""
-        : "walls { b { type box; material rigid; min (0 0 0); max (0.02 0.02 0.02); } }"));
-    double total[3] = {0.0, 0.0, 0.0};
-
-    if (triangles)
-    {
-        struct mesh m = mesh_box(min, max);
-
-        mesh_hand_over(c, "b", "rigid", &m);
-    }
-    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
-    struct dem *const d = world_start(c);
-    world_run(d, 1.0);
-    for (int w = 0; w < dem_wall_count(d); w++)
-    {
-        double force[3], torque[3];
-
-        WORLD_TRY(dem_wall_load(d, w, force, torque));
-        for (int k = 0; k < 3; k++)
-        {
-            total[k] += force[k];
-        }
-    }
-    const double m = world_sphere_mass(R, density), pull[3] = {-2.0*m, -3.0*m, -9.81*m};
-    const struct world_particle p = world_at(d, 0);
-
-    for (int k = 0; k < 3; k++)
-    {
-        TAP_NEAR(total[k], pull[k], 1e-8*weight(), "%s: the walls carry the weight, axis %d",
-                 what, k);
-        TAP_NEAR(p.t[k], 0.0, 1e-8*weight()*R, "%s: the torque vanishes, axis %d", what, k);
-    }
-    TAP_OK(world_tally(d).contacts == 3, "%s: three contacts", what);
-    TAP_NEAR(world_tally(d).kinetic, 0.0, 1e-20, "%s: at rest", what);
-    dem_free(d);
-}
+/* ---- edges ----------------------------------------------------------------------------------- */
 
 /* A sphere placed on surfaces; returns the number of contacts and the force. */
 static int64_t place_on(struct mesh *m, const double x[3], double force[3])
@@ -692,9 +608,6 @@ int main(void)
     }
     like_a_plane();
     faulty_meshes();
-    seam();
-    corner(0);
-    corner(1);
     edges();
     convex();
     facets();

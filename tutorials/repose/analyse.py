@@ -34,14 +34,14 @@ def zhou(friction, rolling, d=5.0):
     return 68.61*friction**0.49*(0.25*d*rolling)**0.06*(0.5*d*rolling)**0.12*d**-0.2
 
 
-def flanks(folder):
-    """Slopes of both flanks [degrees], and the profile."""
+def flanks(folder, spheres=1):
+    """Slopes of both flanks [degrees], and the profile; each particle has this many spheres."""
     columns = read_vtp(pictures(folder)[-1][1])
     at = columns["points"][(columns["points"][:, 2] > 0) & (abs(columns["points"][:, 0]) < EDGE)]
     depth = 0.0125 if len(at) and at[:, 1].max() < 0.0126 else 0.02
     edges = numpy.linspace(-EDGE, EDGE, 41)
     x = 0.5*(edges[1:] + edges[:-1])
-    height = numpy.histogram(at[:, 0], edges)[0]*numpy.pi/6*D**3/(D*depth*PACKING)
+    height = numpy.histogram(at[:, 0], edges)[0]*numpy.pi/6*D**3/spheres/(D*depth*PACKING)
     smooth = numpy.convolve(height, [0.25, 0.5, 0.25], "same")
     top = smooth.max()
     peak = x[smooth > 0.8*top]
@@ -118,6 +118,11 @@ def main():
                    *interval(numpy.concatenate([slopes for slopes, _ in wet])), "degrees")
         spheres = [numpy.mean([height.sum() for _, (_, height) in runs]) for runs in (wet, dry)]
         result.add("spheres that stay", "wet over dry", None, spheres[0]/spheres[1], None, "1")
+    clumps = [flanks(folder, 2) for folder in sorted(Path("runs").glob("clumps.?")) if folder.is_dir()]
+    if clumps and (0.4, 0.01) in found:
+        round_ = numpy.mean([slopes for slopes, _ in found[(0.4, 0.01)]])
+        result.add("slope of the heap", "clumps friction 0.4 rolling 0.01", round_,
+                   *interval(numpy.concatenate([slopes for slopes, _ in clumps])), "degrees")
     rows = numpy.array(rows)
     for name, vary, fixed, at, reference in (("friction", 0, 1, 0.04, 0.49),
                                              ("resistance to rolling", 1, 0, 0.4, 0.18)):

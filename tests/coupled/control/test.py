@@ -131,7 +131,7 @@ refused("demPimpleFoam with steadyState", "demPimpleFoam needs Euler", "demPimpl
 
 # a mesh that moves while the particles rest before timeStart or after timeEnd; a mesh that changes its topology
 case = prepare("pimpleFoam", many + "coupling { rho 1000; }", "moving")
-case.write("constant/dynamicMeshDict", head("dictionary", "dynamicMeshDict") + """
+case.dictionary("constant/dynamicMeshDict", """
 dynamicFvMesh dynamicMotionSolverFvMesh; motionSolverLibs ("libfvMotionSolvers.so");
 motionSolver solidBody; solidBodyMotionFunction linearMotion; velocity (0.001 0 0);
 """)
@@ -151,7 +151,7 @@ for field in ("U", "alpha.water", "p_rgh"):
 case.sub("constant/demProperties", r"periodic \(x\);", "")
 case.run("blockMesh")
 case.run("setFields")
-case.write("constant/dynamicMeshDict", head("dictionary", "dynamicMeshDict") + """
+case.dictionary("constant/dynamicMeshDict", """
 dynamicFvMesh dynamicRefineFvMesh; refineInterval 1; field alpha.water;
 lowerRefineLevel 0.5; upperRefineLevel 1.5; unrefineLevel 10;
 nBufferLayers 1; maxRefinement 1; maxCells 10000; dumpLevel true;

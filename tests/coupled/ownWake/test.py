@@ -187,7 +187,7 @@ def suspension(own, centres, frozen):
     case.mesh(corners, [f"(0 1 2 3 4 5 6 7) ({n} {n} {n})"],
               {name: f"type cyclic; neighbourPatch {name[0]}{1 - int(name[1])}; faces (({corner}));"
                for name, corner in faces.items()})
-    case.write("constant/fvOptions", head("dictionary", "fvOptions") + f"""
+    case.dictionary("constant/fvOptions", f"""
 drive {{ type meanVelocityForce; selectionMode all; fields (U); Ubar (0 0 {mean}); }}
 """)
     case.properties("glass { density 2500; youngsModulus 1e5; }", "hertz {} wenYu {} pressureGradient {}",

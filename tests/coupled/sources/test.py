@@ -28,8 +28,8 @@ coupling { rho 1.2; kernel linear; record { interval 0.01; budget yes; } }
 def duct(name, cells, grading, options):
     """A duct of 11 x 11 x 39.6 mm without a bed, with these fvOptions."""
     case = Case(name, "fixedBed")
-    case.write("constant/demProperties", head("dictionary", "demProperties") + scene)
-    case.write("constant/fvOptions", head("dictionary", "fvOptions") + options)
+    case.dictionary("constant/demProperties", scene)
+    case.dictionary("constant/fvOptions", options)
     case.sub("constant/transportProperties", r"^nu\b.*", f"nu {nu};")
     case.sub("system/blockMeshDict", r"\(5 5 18\) simpleGrading \(1 1 1\)",
              f"(3 3 {cells}) simpleGrading (1 1 {grading})")
@@ -54,7 +54,7 @@ resistance
 
 def make_zone(case, name, low, high):
     """A zone of the cells whose centres are between these heights [m]."""
-    case.write("system/topoSetDict", head("dictionary", "topoSetDict") + f"""
+    case.dictionary("system/topoSetDict", f"""
 actions
 (
     {{ name cells; type cellSet; action new; source boxToCell; box (-1 -1 {low}) (1 1 {high}); }}

@@ -14,10 +14,37 @@ R, radius = 6e-3, 0.5e-3                              # of the edges of the mesh
 axes = math.pi/4 + (2*np.arange(16) + 1)*math.pi/16   # directions of the faces, R cos(pi/16) from the axis
 face = R*math.cos(math.pi/16)
 
+
+def cylinder(case):
+    """A mesh around the z axis, 20 mm high: a square inside four blocks."""
+    corners = [(r*math.cos(a), r*math.sin(a)) for r in (R, R/2) for a in math.pi*(0.25 + 0.5*np.arange(4))]
+    quarters = [(k, (k + 1) % 4) for k in range(4)]
+    arcs = [f"arc {k + n} {m + n} {vector((R*math.cos(a), R*math.sin(a), z))}" for n, z in ((0, 0), (8, 0.02))
+            for (k, m), a in zip(quarters, math.pi*(0.5 + 0.5*np.arange(4)))]
+    faces = {"side": [f"({k} {m} {m + 8} {k + 8})" for k, m in quarters],
+             "bottom": ["(4 5 6 7)"] + [f"({k + 4} {m + 4} {m} {k})" for k, m in quarters],
+             "top": ["(12 13 14 15)"] + [f"({k + 12} {m + 12} {m + 8} {k + 8})" for k, m in quarters]}
+    case.mesh([(x, y, z) for z in (0, 0.02) for x, y in corners],
+              ["(4 5 6 7 12 13 14 15) (4 4 8)"] + [
+                  f"({k + 4} {k} {m} {m + 4} {k + 12} {k + 8} {m + 8} {m + 12}) (3 4 8)" for k, m in quarters],
+              {name: f"type {'patch' if name == 'top' else 'wall'}; faces ({' '.join(at)});" for name, at in faces.items()},
+              " ".join(arcs))
+
+
 case = Case()
+case.controls(0.002, 0.0005)
+cylinder(case)
+case.flow("(0 0 0)", '"(side|bottom)" { type noSlip; } top { type pressureInletOutletVelocity; value uniform (0 0 0); }',
+          '"(side|bottom)" { type fixedFluxPressure; } top { type fixedValue; value uniform 0; }')
+case.gravity()
+case.properties("glass { density 2500; youngsModulus 2e5; }", "hertz {} dry { restitution 0.3; } mindlin { friction 0.3; } "
+                "gidaspow {} pressureGradient {}", "bed { type random; inside mesh; solidFraction 0.45; diameter 1e-3; }",
+                "rho 1.2; kernel diffusion; width 3;")
 settle = case.read(scene)
 header = settle[:settle.index("materials")]
-case.run("blockMesh")
+case.dictionary("system/topoSetDict", """actions (
+{ name low; type cellSet; action new; source boxToCell; box (-1 -1 -1) (1 1 0.01); }
+{ name lower; type cellZoneSet; action new; source setToCellZone; set low; } );""")
 case.run("topoSet")
 case.run("decomposePar")
 

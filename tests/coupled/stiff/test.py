@@ -18,11 +18,14 @@ for frozen in ("yes", "no"):
         for width in (0, 3):
             name = f"frozen {frozen}, T/tau {ratio}, kernel {width} d"
             case = Case()
-            case.sub("constant/demProperties", "FROZEN", frozen)
-            case.sub("constant/demProperties", "WIDTH", str(width))
-            case.sub("constant/transportProperties", "NU;", f"{mu};")
-            case.sub("0/U", "SPEED", str(speed))
-            case.run("blockMesh")
+            case.controls(0.06, 0.001, nu=mu)
+            case.duct((0.01, 0.01, 0.014), (5, 5, 7), speed)
+            case.gravity()
+            case.properties("heavy { density 1000; youngsModulus 1e5; poissonsRatio 0.3; }",
+                            "hertz {} dry { restitution 0.5; } gidaspow {} pressureGradient {}",
+                            f"bed {{ type lattice; diameter 1e-3; count 500; spacing 1; jitter 0; frozen {frozen}; "
+                            "min (0 0 0); max (0.01 0.01 0.014); }",
+                            f"rho 1; kernel diffusion; width {width}; walls (inlet);")
             case.run("demPimpleFoam")
             claim_ran(f"{name}: runs", case)
             # the inlet velocity over the bed's void fraction; three times that would be an oscillation

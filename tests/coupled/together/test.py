@@ -30,7 +30,7 @@ def momentum_box(name, scene, velocity, endTime):
     case.sub("system/controlDict", "(?s)^functions.*", "")
     case.edit("system/controlDict", endTime=endTime, writeInterval=endTime)
     case.sub("0/U", r"^internalField.*", f"internalField uniform {vector(velocity)};")
-    case.write("constant/demProperties", head("dictionary", "demProperties") + scene)
+    case.dictionary("constant/demProperties", scene)
     return case
 
 

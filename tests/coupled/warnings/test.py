@@ -22,7 +22,7 @@ def stock(path):
 
 
 def particles(group, effects, coupling, rest="", drag="schillerNaumann {}"):
-    case.write("constant/demProperties", head("dictionary", "demProperties") + f"""
+    case.dictionary("constant/demProperties", f"""
 materials {{ sand {{ density 2600; youngsModulus 1e7; poissonsRatio 0.3; }} }}
 effects {{ hertz {{}} dry {{ restitution 0.8; }} {drag} {effects} }}
 insert {{ some {{ type lattice; material sand; {group} }} }}
@@ -142,8 +142,7 @@ listed("TJunction: open patches",
        "particles that reach patch inlet, outlet1, outlet2 end the run: .* outlets . NAME . patch inlet; . ., "
        r"or .* coupling . walls \(inlet\); .$")
 case.copy(case/"constant/demProperties", "constant/air/demProperties")
-case.write("system/decomposeParDict",
-           head("dictionary", "decomposeParDict") + "numberOfSubdomains 2; method scotch;\n")
+case.dictionary("system/decomposeParDict", "numberOfSubdomains 2; method scotch;\n")
 particles(thrown, "pressureGradient {}", "rho 1.2; twoWay no; walls (inlet);",
           "outlets { a { patch outlet1; } b { patch outlet2; } }")
 case.write("dummy/libscotchDecomp.so", "")

@@ -11,20 +11,24 @@ from wall_points import read, wall_points
 names = {"sphere": "a sphere in a box", "cyclone": "a cyclone", "flange": "a flange"}
 
 
-def make(name, geometry, inside, box=None, cells=None):
+def make(name, geometry, inside, box=((-1, -1, -1), (1, 1, 1)), cells="(7 7 7)"):
     """A case with a snappyHexMesh of this geometry in a box of cells."""
     case = Case(name)
     case.write("system/geometry", f"body {{ {geometry} }}\n")
     case.write("system/inside", f"inside {inside};\n")
-    if box:
-        (x0, y0, z0), (x1, y1, z1) = box
-        corners = " ".join(f"({x} {y} {z})" for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
-        case.append("system/blockMeshDict", f"vertices ({corners});\n"
-                    f"blocks ( hex (0 1 2 3 4 5 6 7) {cells} simpleGrading (1 1 1) );\n")
+    case.controls(2e-6, 1e-6, functions='particles { type demCloud; libs ("libdemCoupling.so"); }')
+    case.flow("(0 0 0)", '".*" { type fixedValue; value uniform (0 0 0); }', '".*" { type zeroGradient; }')
+    case.properties("glass { density 2500; youngsModulus 1e6; }", "stokesDrag {}",
+                    'along { type table; file "points.csv"; diameter 1e-9; }', "twoWay no; rho 1; kernel linear;",
+                    "time { step 1e-6; }")
     surface = Path(os.environ.get("FOAM_TUTORIALS", ""))/f"resources/geometry/{name}.stl.gz"
     if surface.exists():
         case.copy(surface, f"constant/triSurface/{surface.name}")
-    claim(f"{names[name]}: the mesh", case.run("blockMesh") and case.run("snappyHexMesh", "-overwrite")
+    (x0, y0, z0), (x1, y1, z1) = box
+    made = case.mesh([(x, y, z) for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))],
+                     [f"(0 1 2 3 4 5 6 7) {cells}"],
+                     {"walls": "type wall; faces ((0 4 7 3) (1 2 6 5) (0 1 5 4) (3 7 6 2) (0 3 2 1) (4 5 6 7));"})
+    claim(f"{names[name]}: the mesh", made and case.run("snappyHexMesh", "-overwrite")
           and case.run("surfaceMeshExtract", "walls.obj"))
     return case
 
