@@ -17,9 +17,10 @@ enum
     ROOM = 8    /* how much larger coordinates may become than those of the scene */
 };
 
+/* Entry 3 is the simple shear, which crosses the faces of y. */
 static int read_axis(struct dem_cell_axis *a, const struct dem_domain *d, const struct dem_dict *dict, int k)
 {
-    static const char *const name[] = {"xx", "yy", "zz"};
+    static const char *const name[] = {"xx", "yy", "zz", "xy"};
     const struct dem_dict *entry;
 
     DEM_TRY(dem_dict_sub_if(dict, name[k], &entry));
@@ -29,9 +30,11 @@ static int read_axis(struct dem_cell_axis *a, const struct dem_domain *d, const 
     }
     a->deforms = 1;
     a->held = dem_dict_has(entry, "stress");
-    DEM_REQUIRE(d->periodic[k], DEM_ERROR_INPUT,
-                "%s: domain/cell/%s, but the domain is not periodic along %c; add it to periodic",
-                dem_dict_where(entry), name[k], "xyz"[k]);
+    DEM_REQUIRE(k < 3 ? d->periodic[k] : d->periodic[0] && d->periodic[1], DEM_ERROR_INPUT,
+                "%s: domain/cell/%s, but the domain is not periodic along %s; add it to periodic",
+                dem_dict_where(entry), name[k], k < 3 ? name[k] + 1 : "x and y");
+    DEM_REQUIRE(k < 3 || !a->held, DEM_ERROR_INPUT,
+                "%s: domain/cell/xy has a stress; simple shear has a rate", dem_dict_where(entry));
     DEM_REQUIRE(a->held + dem_dict_has(entry, "rate") == 1, DEM_ERROR_INPUT,
                 "%s: domain/cell/%s has %s of rate (1/s) and stress (Pa, tension positive); give one of "
                 "them", dem_dict_where(entry), name[k], a->held ? "both" : "none");
@@ -79,8 +82,10 @@ int dem_scene_read_cell(struct dem_cell *c, struct dem_domain *d, const struct d
         held |= c->axis[k].held;
         give_room(c, d, k);
     }
+    DEM_TRY(read_axis(&c->shear, d, dict, 3));
+    c->active |= c->shear.deforms;
     DEM_REQUIRE(c->active, DEM_ERROR_INPUT,
-                "%s: domain/cell has none of xx, yy, zz; give one, like zz { rate -0.1; }",
+                "%s: domain/cell has none of xx, yy, zz, xy; give one, like zz { rate -0.1; }",
                 dem_dict_where(dict));
     DEM_TRY(held ? dem_dict_number(dict, "maxRate", "1/s", &c->max_rate) : DEM_OK);
     DEM_REQUIRE(!held || (c->max_rate > 0.0 && isfinite(c->max_rate)), DEM_ERROR_INPUT,
@@ -136,9 +141,9 @@ void dem_cell_describe(const struct dem *d, struct dem_text *t)
         dem_text_add(t, "%s", mark);
         for (int k = 0; k < 3; k++)
         {
-            dem_text_add(t, "%a %a %a%s", d->state.domain.length[k], c->rate[k], c->integral[k],
-                         k < 2 ? " " : "\n");
+            dem_text_add(t, "%a %a %a ", d->state.domain.length[k], c->rate[k], c->integral[k]);
         }
+        dem_text_add(t, "%a %a\n", d->state.domain.offset, c->strain);
     }
 }
 
@@ -163,6 +168,9 @@ void dem_cell_resume(struct dem *d, const char *text)
             c->rate[k] = strtod(rest, &rest);
             c->integral[k] = strtod(rest, &rest);
         }
-        dem_cell_set_lengths(&d->state, length);
+        const double offset = strtod(rest, &rest);
+
+        c->strain = strtod(rest, &rest);
+        dem_cell_set_lengths(&d->state, length, offset);
     }
 }

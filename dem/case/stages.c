@@ -216,9 +216,9 @@ void dem_stages_begin(struct dem *d, int k, double time, const char *why)
             set_frame_times(&w->frame[n], side, begun, time);
         }
     }
-    for (int n = 0; n < 3; n++)
+    for (int n = 0; n < 4; n++)
     {
-        struct dem_cell_axis *const a = &d->state.cell.axis[n];
+        struct dem_cell_axis *const a = n < 3 ? &d->state.cell.axis[n] : &d->state.cell.shear;
 
         set_time(&a->start, a->stage[0], begun, time);
         set_time(&a->end, a->stage[1], begun, time);

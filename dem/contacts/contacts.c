@@ -167,3 +167,14 @@ int dem_contacts_restore_history(struct dem_contacts *c, const struct dem_partic
     dem_contact_history_forget(&c->history);
     return dem_contact_forces_allocate(&c->forces, &c->rows);
 }
+
+void dem_contacts_turn_images(struct dem_contacts *c, int turns)
+{
+    for (size_t k = 0; turns != 0 && k < c->history.saved; k++)
+    {
+        struct dem_contact_key *const key = &c->history.saved_key[k];
+        const int across = dem_image_difference((uint32_t)key->image, 0, 1);
+
+        key->image = key->high < 0 ? key->image : dem_image_add((uint32_t)key->image, 0, turns*across);
+    }
+}

@@ -64,6 +64,9 @@ struct dem_contact_key dem_contacts_key(const struct dem_contacts *, const struc
                                         const struct dem_facet_key *wall_facet, uint32_t row);
 
 /* Before a rebuild: save the history of every row that has one, and free the rows. */
+/* While history is saved: pairs across the faces of y get another x, by so many lengths. */
+void dem_contacts_turn_images(struct dem_contacts *, int turns);
+
 int dem_contacts_save_history(struct dem_contacts *, const struct dem_particles *,
                               const struct dem_facet_key *wall_facet);
 

@@ -60,11 +60,17 @@ int dem_displacement_begin(struct dem_displacement *d, const struct dem_particle
     return DEM_OK;
 }
 
-static double displacement(const struct dem_displacement *d, double now, size_t k, uint32_t then)
+/* Where a position was when the list was made, if it has followed the flow since. */
+static double undeformed(const struct dem_displacement *d, const double x[3], size_t k)
 {
-    const double x = d->deforms ? d->origin[k] + d->back[k]*(now - d->origin[k]) : now;
+    const double y = x[1] - d->origin[1], own = x[k] - d->origin[k] - (k == 0 ? d->slant[0]*y : 0.0);
 
-    return d->unit*(double)(int32_t)(to_units(d, x) - then);
+    return d->origin[k] + d->back[k]*own + (k == 0 ? d->slant[1]*d->back[1]*y : 0.0);
+}
+
+static double displacement(const struct dem_displacement *d, const double x[3], size_t k, uint32_t then)
+{
+    return d->unit*(double)(int32_t)(to_units(d, d->deforms ? undeformed(d, x, k) : x[k]) - then);
 }
 
 /* Add the error of rounding both positions by up to half a unit along three axes. */
@@ -83,9 +89,9 @@ void dem_displacement_extent(const struct dem_displacement *d,
     for (size_t i = 0; i < particles->n; i++)
     {
         const double *const x = particles->record[i].x;
-        const double d_i[3] = {displacement(d, x[0], 0, d->reference[3*i]),
-                               displacement(d, x[1], 1, d->reference[3*i + 1]),
-                               displacement(d, x[2], 2, d->reference[3*i + 2])};
+        const double d_i[3] = {displacement(d, x, 0, d->reference[3*i]),
+                               displacement(d, x, 1, d->reference[3*i + 1]),
+                               displacement(d, x, 2, d->reference[3*i + 2])};
         const double here = d_i[0]*d_i[0] + d_i[1]*d_i[1] + d_i[2]*d_i[2];
 
         for (int k = 0; k < 3; k++)
@@ -136,7 +142,7 @@ double dem_displacement_spread(const struct dem_displacement *d,
 
         for (size_t k = 0; k < 3; k++)
         {
-            const double d_i = displacement(d, x[k], k, d->reference[3*i + k]) - centre[k];
+            const double d_i = displacement(d, x, k, d->reference[3*i + k]) - centre[k];
 
             square += d_i*d_i;
         }

@@ -35,11 +35,12 @@ struct dem_displacement
     double unit, round;           /* m; the lowest 32 bits of (x + round) are x in units */
     uint32_t *reference;          /* reference positions, 3 per owned particle */
     size_t capacity;
-    /* of a periodic domain that deforms (particles/cell.h): 1, the factor from present positions to those
-       when the list was made, from the face `origin` [m] on, and the largest strain since then: pairs
-       at a distance r come closer by strain r besides 2 s */
+    /* of a periodic domain that deforms (particles/cell.h): 1; the factors from present positions to those
+       when the list was made, from the faces `origin` [m] on; x over y of its sheared edge, now and
+       then; and the largest strain since then: pairs at a distance r come closer by strain r
+       besides 2 s */
     int deforms;
-    double back[3], origin[3], strain;
+    double back[3], origin[3], slant[2], strain;
 };
 
 void dem_displacement_free(struct dem_displacement *);

@@ -142,6 +142,18 @@ static void shifts_inside(const struct dem_domain *d, const double x[3], double 
     }
 }
 
+/* 1 when the image of x at this shift lies within `reach` of the box. */
+static int is_inside(const double x[3], const double shift[4], double reach, const struct box *b)
+{
+    int inside = 1;
+
+    for (int k = 0; k < 3; k++)
+    {
+        inside &= x[k] + shift[k] > b->min[k] - reach && x[k] + shift[k] < b->max[k] + reach;
+    }
+    return inside;
+}
+
 static void add_entry(struct dem_grid *g, const struct dem_particle *r, const double shift[4],
                       struct dem_grid_entry as, struct box *all)
 {
@@ -173,7 +185,7 @@ static int list_entries(struct dem_grid *g, const struct dem_domain *d,
         unsigned inside[3];
 
         shifts_inside(d, r->x, reach + r->radius, &owned, inside);
-        if (inside[0] == 2u && inside[1] == 2u && inside[2] == 2u)    /* most particles */
+        if (d->offset == 0.0 && inside[0] == 2u && inside[1] == 2u && inside[2] == 2u)    /* most particles */
         {
             DEM_TRY(DEM_GROW(g->unsorted, g->unsorted_capacity, g->entries + 1));
             add_entry(g, r, shift[DEM_SHIFT_NONE], e, all);
@@ -182,7 +194,9 @@ static int list_entries(struct dem_grid *g, const struct dem_domain *d,
         DEM_TRY(DEM_GROW(g->unsorted, g->unsorted_capacity, g->entries + DEM_SHIFTS));
         for (e.shift = 0; e.shift < DEM_SHIFTS; e.shift++)
         {
-            if (inside[0] >> e.shift%3 & inside[1] >> e.shift/3%3 & inside[2] >> e.shift/9 & 1u)
+            if (d->offset != 0.0
+                    ? dem_domain_has_shift(d, e.shift) && is_inside(r->x, shift[e.shift], reach + r->radius, &owned)
+                    : (int)(inside[0] >> e.shift%3 & inside[1] >> e.shift/3%3 & inside[2] >> e.shift/9 & 1u))
             {
                 add_entry(g, r, shift[e.shift], e, all);
             }

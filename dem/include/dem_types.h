@@ -213,6 +213,8 @@ struct dem_residence
 struct dem_cell_now
 {
     double length[3], rate[3];      /* m, 1/s  (dL/dt)/L in the last step */
+    double shear_rate, shear;       /* 1/s, 1  of simple shear, xy: in the last step; its strain since the
+                                       start */
     double stress[6];               /* Pa  of contacts and of motion relative to the flow; tension positive */
     double fabric[6];               /* 1   mean of n n over the contacts */
     double solid;                   /* 1   volume of particles over the cell's */

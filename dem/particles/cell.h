@@ -17,8 +17,11 @@
  * r, through periodic faces too, is u_i - u_j + D r.
  *
  * Exact wrapping: L_k and positions are multiples of the unit of the domain. A particle that is n
- * lengths outside, x = x0 + n L, moves by round(dt D (x0 - min)) + n dL + round(dt u), so that it has
+ * lengths outside, x = x0 + n L, moves by round(dt D (x0 - min + dt u/2)) + n dL + round(dt u), so that it has
  * the same bits wherever it was wrapped.
+ *
+ * Simple shear, xy { rate 1; }, has the flow D_xy y along x. The images across the faces of y are displaced
+ * by an offset that grows by D_xy L_y (Lees and Edwards 1972), in the same units.
  *
  * The control of a stress is in step/cell_control.c, what a cell refuses in case/scene_cell.c.
  *
@@ -47,13 +50,15 @@ struct dem_cell
 {
     int active;                   /* 0: the domain is fixed, all else is zero */
     struct dem_cell_axis axis[3];
+    struct dem_cell_axis shear;   /* xy: flow along x that grows with y */
     double max_rate;              /* 1/s  of held axes */
     double first_max[3];          /* m  faces that the scene gives */
     double farthest[3];           /* m  limit of coordinates, from the unit of length */
-    double list_length[DEM_CELL_LISTS][3];    /* m  when the lists were made */
-    double flow[3];               /* 1/s  D of the last step */
+    double list_length[DEM_CELL_LISTS][3], list_offset[DEM_CELL_LISTS];    /* m  when the lists were made */
+    double flow[3], shear_flow;   /* 1/s  D of the last step */
+    double strain;                /* 1    of the shear since the start */
     double rate[3], integral[3];  /* 1/s, Pa  of held axes: D until the next measurement, H */
-    double backup[3][3];          /* length, rate, integral */
+    double backup[4][3];          /* length, rate, integral; offset and strain of the shear */
 };
 
 #endif

@@ -50,6 +50,7 @@ void dem_domain_shifts(const struct dem_domain *d, double shift[DEM_SHIFTS][4])
         {
             shift[code][k] = dem_shift_axis(code, k)*d->length[k];
         }
+        shift[code][0] += dem_shift_axis(code, 1)*d->offset;
         shift[code][3] = 0.0;
     }
 }
@@ -64,21 +65,33 @@ static int can_wrap(const struct dem_domain *d, int k, double x)
     return d->periodic[k] && fabs(x - d->min[k]) < MAX_BOXES*d->length[k];
 }
 
+double dem_domain_offset_turns(const struct dem_domain *d)
+{
+    return d->offset != 0.0 ? rint(d->offset/d->length[0]) : 0.0;
+}
+
+/* Across y first: an image there has another x. */
 void dem_domain_wrap(const struct dem_domain *d, struct dem_particle *p)
 {
-    for (int k = 0; k < 3; k++)
+    static const int order[] = {1, 0, 2};
+
+    for (int n = 0; n < 3; n++)
     {
+        const int k = order[n];
+        const double aside = k == 1 ? d->offset : 0.0;
         const int wraps = can_wrap(d, k, p->x[k]);
 
         p->x[k] = wraps ? d->unit[k]*rint(p->x[k]/d->unit[k]) : p->x[k];
         while (wraps && p->x[k] < d->min[k])
         {
             p->x[k] += d->length[k];
+            p->x[0] += aside;
             p->image = dem_image_add(p->image, k, -1);
         }
         while (wraps && p->x[k] >= d->max[k])
         {
             p->x[k] -= d->length[k];
+            p->x[0] -= aside;
             p->image = dem_image_add(p->image, k, 1);
         }
     }

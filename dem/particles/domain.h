@@ -31,6 +31,8 @@ struct dem_domain
                                      axes and in the last entry */
     int periodic[3];
     int flat[3];
+    double offset;                /* m: along x, of the images across the faces of y (Lees and Edwards);
+                                     a multiple of the unit; 0 but in a cell that is sheared */
     double plane[3];              /* m; position of the plane of flat axes */
     int remove;                   /* 1: particles that leave are removed, 0: an error */
 };
@@ -40,9 +42,19 @@ void dem_domain_init(struct dem_domain *);                /* open everywhere */
 /* Once the limits are set: compute length and unit of periodic axes and the plane of flat axes. */
 void dem_domain_finish(struct dem_domain *);
 
+/* 1 when a code shifts along periodic axes only. */
+static inline int dem_domain_has_shift(const struct dem_domain *d, int code)
+{
+    return (d->periodic[0] || dem_shift_axis(code, 0) == 0) && (d->periodic[1] || dem_shift_axis(code, 1) == 0)
+        && (d->periodic[2] || dem_shift_axis(code, 2) == 0);
+}
+
 /* The shift vector [m] of each code, 27 x 4, the fourth entry is 0; zero along axes that are not
    periodic. */
 void dem_domain_shifts(const struct dem_domain *, double shift[DEM_SHIFTS][4]);
+
+/* The whole lengths of x that the offset has reached: with so many less it is the nearest one. */
+double dem_domain_offset_turns(const struct dem_domain *);
 
 /* Wrap a particle into the box along periodic axes, update its image counter and round its position
    to the nearest multiple of the unit. */

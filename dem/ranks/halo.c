@@ -50,12 +50,39 @@ void dem_halo_free(struct dem_halo *h)
 
 /* ---- selection ------------------------------------------------------------------------------- */
 
+/* The same in a domain that is sheared: images are not a product of axes. */
+static int sheared_in_reach(const struct dem_domain *d, const double x[3], const double min[3],
+                            const double max[3], double reach)
+{
+    double shift[DEM_SHIFTS][4];
+    int near = 0;
+
+    dem_domain_shifts(d, shift);
+    for (int code = 0; code < DEM_SHIFTS; code++)
+    {
+        double square = 0.0;
+
+        for (int k = 0; k < 3; k++)
+        {
+            const double y = x[k] + shift[code][k], gap = fmax(0.0, fmax(min[k] - y, y - max[k]));
+
+            square += gap*gap;
+        }
+        near |= dem_domain_has_shift(d, code) && square < reach*reach;
+    }
+    return near;
+}
+
 /* 1 when some periodic image of x lies within `reach` of the box. */
 static int box_in_reach(const struct dem_domain *d, const double x[3], const double min[3],
                         const double max[3], double reach)
 {
     double square = 0.0;
 
+    if (d->offset != 0.0)
+    {
+        return sheared_in_reach(d, x, min, max, reach);
+    }
     for (int k = 0; k < 3; k++)
     {
         double nearest = INFINITY;

@@ -134,7 +134,8 @@ static void add_segment_work(struct dem_state *p, const struct dem_segment *segm
         if (take_row(p, r, &f, l, &overlap))
         {
             dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_CELL],
-                                   -span*(rate[0]*f[0]*l[0] + rate[1]*f[1]*l[1] + rate[2]*f[2]*l[2]));
+                                   -span*(rate[0]*f[0]*l[0] + rate[1]*f[1]*l[1] + rate[2]*f[2]*l[2]
+                                          + p->cell.shear_flow*f[0]*l[1]));
         }
     }
 }

@@ -237,7 +237,8 @@ int dem_restore(struct dem *d, double *time)
     {
         memcpy(p->cell.rate, p->cell.backup[1], sizeof p->cell.rate);
         memcpy(p->cell.integral, p->cell.backup[2], sizeof p->cell.integral);
-        dem_cell_set_lengths(p, p->cell.backup[0]);
+        p->cell.strain = p->cell.backup[3][1];
+        dem_cell_set_lengths(p, p->cell.backup[0], p->cell.backup[3][0]);
     }
     dem_stages_rewind(d);
     (void)dem_walls_come_and_go(&p->walls, p->time);

@@ -110,6 +110,8 @@ int dem_cell(struct dem *d, struct dem_cell_now *now)
     *now = (struct dem_cell_now){.solid = m.solid/m.volume, .contacts = m.contacts};
     memcpy(now->length, d->state.domain.length, sizeof now->length);
     memcpy(now->rate, d->state.cell.flow, sizeof now->rate);
+    now->shear_rate = d->state.cell.shear_flow;
+    now->shear = d->state.cell.strain;
     memcpy(now->stress, m.stress, sizeof now->stress);
     memcpy(now->fabric, m.fabric, sizeof now->fabric);
     memcpy(now->modulus, m.modulus, sizeof now->modulus);

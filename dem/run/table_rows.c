@@ -165,10 +165,10 @@ int dem_table_add_cell(const struct dem_table *table, struct dem *d, double now)
     {
         dem_text_add(&t, ",%.9g", c.fabric[k]);
     }
-    dem_text_add(&t, ",%.9g,%.0f\n", c.solid, c.contacts);
+    dem_text_add(&t, ",%.9g,%.0f,%.9g,%.9g\n", c.solid, c.contacts, c.shear_rate, c.shear);
     return append(table, d,
                   "time[s],Lx[m],Ly[m],Lz[m],Dxx[1/s],Dyy[1/s],Dzz[1/s],sxx[Pa],syy[Pa],szz[Pa],sxy[Pa],"
-                  "syz[Pa],szx[Pa],Fxx,Fyy,Fzz,Fxy,Fyz,Fzx,solidFraction,contacts",
+                  "syz[Pa],szx[Pa],Fxx,Fyy,Fzz,Fxy,Fyz,Fzx,solidFraction,contacts,Dxy[1/s],shear",
                   &t);
 }
 

@@ -1,7 +1,8 @@
 /*
  * cell_motion.c -- drift of the particles of a deforming periodic domain: see particles/cell.h.
  *
- * The term -D u acts half before and half after the drift, each a factor 1/(1 + dt D/2).
+ * The term -D u acts half before and half after the drift, each a factor 1/(1 + dt D/2). The flow carries a
+ * particle by dt D times its position in the middle of the step.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,15 +16,48 @@
 #include <string.h>
 
 /* The rate of an axis over the step that ends at `time` [s]. */
-static double rate_of(const struct dem_cell *c, int k, double time, double dt)
+static double rate_of(const struct dem_cell_axis *a, double held, double time, double dt)
 {
-    const struct dem_cell_axis *const a = &c->axis[k];
     const double middle = time - 0.5*dt;
 
-    return !a->deforms || middle < a->start || middle > a->end ? 0.0 : a->held ? c->rate[k] : a->rate;
+    return !a->deforms || middle < a->start || middle > a->end ? 0.0 : a->held ? held : a->rate;
 }
 
-void dem_cell_set_lengths(struct dem_state *state, const double length[3])
+/* The shear since the list was made. */
+static void set_slant(struct dem_state *state, int list)
+{
+    struct dem_displacement *const m = &state->pairs.displacement[list];
+    const double height = state->cell.list_length[list][1];
+
+    m->slant[0] = m->slant[1] = 0.0;
+    if (state->cell.shear.deforms)
+    {
+        m->slant[0] = state->domain.offset/state->domain.length[1];
+        m->slant[1] = height > 0.0 ? state->cell.list_offset[list]/height : m->slant[0];
+        m->strain += fabs(m->slant[0] - m->slant[1]);
+    }
+}
+
+void dem_cell_reduce_offset(struct dem_state *state)
+{
+    struct dem_domain *const d = &state->domain;
+    const double turns = dem_domain_offset_turns(d);
+
+    if (turns != 0.0)
+    {
+        d->offset -= turns*d->length[0];
+        dem_domain_shifts(d, state->pairs.shift);
+        dem_contacts_turn_images(&state->contacts, (int)turns);
+        for (size_t i = 0; i < state->particles.n; i++)
+        {
+            uint32_t *const image = &state->particles.record[i].image;
+
+            *image = dem_image_add(*image, 0, (int)turns*(int)dem_image_part(*image, 1));
+        }
+    }
+}
+
+void dem_cell_set_lengths(struct dem_state *state, const double length[3], double offset)
 {
     struct dem_domain *const d = &state->domain;
 
@@ -35,6 +69,7 @@ void dem_cell_set_lengths(struct dem_state *state, const double length[3])
             d->max[k] = d->min[k] + length[k];
         }
     }
+    d->offset = offset;
     dem_domain_shifts(d, state->pairs.shift);
     for (int list = 0; list < DEM_CELL_LISTS; list++)
     {
@@ -51,6 +86,7 @@ void dem_cell_set_lengths(struct dem_state *state, const double length[3])
             m->origin[k] = d->periodic[k] ? d->min[k] : 0.0;
             m->strain = fmax(m->strain, fmax(fabs(1.0/back - 1.0), fabs(back - 1.0)));
         }
+        set_slant(state, list);
     }
 }
 
@@ -63,6 +99,8 @@ void dem_cell_list_made(struct dem_state *state, int list)
         return;
     }
     memcpy(state->cell.list_length[list], state->domain.length, sizeof state->domain.length);
+    state->cell.list_offset[list] = state->domain.offset;
+    set_slant(state, list);
     m->strain = 0.0;
     for (int k = 0; k < 3; k++)
     {
@@ -84,26 +122,40 @@ static double lengths_outside(double x, double min, double length)
 struct change
 {
     double rate[3], length[3], factor[3];    /* 1/s, m, 1 */
+    double shear, offset, turn;              /* 1/s, m; 1: half of the step times the shear */
+    int sheared;
 };
 
 static void drift_particle(const struct dem_domain *d, const struct change *c, double dt,
                            struct dem_particle *p)
 {
+    /* lengths outside across y, whose images have another x */
+    const double across = c->sheared ? lengths_outside(p->x[1], d->min[1], d->length[1]) : 0.0;
+    const double aside = across*d->offset, height = p->x[1] - across*d->length[1] - d->min[1];
+
+    p->v[0] -= c->turn*p->v[1];
     for (int k = 0; k < 3; k++)
     {
-        const double round = d->round[k];
+        const double round = d->round[k], from = k == 0 ? p->x[k] - aside : p->x[k];
 
         p->v[k] *= c->factor[k];
         if (d->periodic[k])
         {
-            const double n = lengths_outside(p->x[k], d->min[k], d->length[k]);
-            const double inside = p->x[k] - n*d->length[k] - d->min[k];
+            const double n = lengths_outside(from, d->min[k], d->length[k]);
+            const double inside = from - n*d->length[k] - d->min[k], middle = inside + 0.5*dt*p->v[k];
 
-            p->x[k] += ((dt*c->rate[k]*inside + round) - round) + n*c->length[k];
+            p->x[k] += ((dt*c->rate[k]*middle + round) - round) + n*c->length[k];
+        }
+        if (k == 0 && c->sheared)
+        {
+            const double middle = height + 0.5*dt*p->v[1];
+
+            p->x[0] += ((dt*c->shear*middle + round) - round) + across*c->offset;
         }
         p->x[k] += (dt*p->v[k] + round) - round;
         p->v[k] *= c->factor[k];
     }
+    p->v[0] -= c->turn*p->v[1];
 }
 
 /* What the term -D u has taken, as work of the cell. */
@@ -113,16 +165,26 @@ static void add_kinetic_work(struct dem_state *state, const struct dem_particle 
                            0.5*p->mass*(dem_vec_dot(p->v, p->v) - dem_vec_dot(was, was)));
 }
 
+static void begin_shear(struct dem_state *state, double dt, struct change *c)
+{
+    const struct dem_domain *const d = &state->domain;
+
+    c->turn = 0.5*dt*c->shear;
+    c->offset = d->unit[0]*rint(dt*(c->shear*d->length[1] + c->rate[0]*d->offset)/d->unit[0]);
+    state->cell.shear_flow = c->shear;
+    state->cell.strain += dt*c->shear;
+}
+
 double dem_cell_drift(struct dem_state *state, double dt)
 {
     struct dem_cell *const cell = &state->cell;
     const struct dem_domain *const d = &state->domain;
     double square = 0.0, invalid = 0.0, length[3];
-    struct change c;
+    struct change c = {.shear = rate_of(&cell->shear, 0.0, state->time, dt), .sheared = cell->shear.deforms};
 
     for (int k = 0; k < 3; k++)
     {
-        c.rate[k] = rate_of(cell, k, state->time, dt);
+        c.rate[k] = rate_of(&cell->axis[k], cell->rate[k], state->time, dt);
         c.length[k] = cell->axis[k].deforms
                           ? d->unit[k]*rint(dt*c.rate[k]*d->length[k]/d->unit[k])
                           : 0.0;
@@ -130,6 +192,10 @@ double dem_cell_drift(struct dem_state *state, double dt)
         length[k] = d->length[k] + c.length[k];
         cell->rate[k] = cell->axis[k].held ? cell->rate[k] : c.rate[k];
         cell->flow[k] = c.rate[k];
+    }
+    if (c.sheared)
+    {
+        begin_shear(state, dt, &c);
     }
     for (size_t i = 0; i < state->particles.n; i++)
     {
@@ -146,7 +212,9 @@ double dem_cell_drift(struct dem_state *state, double dt)
         square = here > square ? here : square;
         invalid += 0.0*here;
     }
-    dem_cell_set_lengths(state, length);
+    dem_cell_set_lengths(state, length, d->offset + c.offset);
+    /* a multiple of the length of x is taken off while lists are made */
+    state->stale = state->stale || dem_domain_offset_turns(d) == 0.0 ? state->stale : 1;
     return invalid == 0.0 ? sqrt(square) : INFINITY;
 }
 
@@ -178,7 +246,7 @@ void dem_cell_add_velocities(const struct dem_state *state, int n, struct dem_ga
 
     for (int c = 0; c < n; c++)
     {
-        g->vx[c] += rate[0]*g->rx[c];
+        g->vx[c] += rate[0]*g->rx[c] + state->cell.shear_flow*g->ry[c];
         g->vy[c] += rate[1]*g->ry[c];
         g->vz[c] += rate[2]*g->rz[c];
     }

@@ -24,8 +24,11 @@ void dem_cell_list_made(struct dem_state *, int list);
    is too small. */
 int dem_cell_check(const struct dem_state *);
 
-/* Set the lengths: domain, periodic shifts, lists. */
-void dem_cell_set_lengths(struct dem_state *, const double length[3]);
+/* Set lengths and offset [m]: domain, periodic shifts, lists. */
+void dem_cell_set_lengths(struct dem_state *, const double length[3], double offset);
+
+/* While the history of contacts is saved: take whole lengths off the offset. */
+void dem_cell_reduce_offset(struct dem_state *);
 
 /* Add D r to the relative velocities of a batch of pairs. */
 void dem_cell_add_velocities(const struct dem_state *, int n, struct dem_gathered *);

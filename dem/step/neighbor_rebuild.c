@@ -313,6 +313,10 @@ int dem_neighbor_rebuild(struct dem_state *state)
     status = status ? status
                     : dem_contacts_save_history(&state->contacts, &state->particles,
                                                 state->pairs.wall_facet);
+    if (state->cell.active)
+    {
+        dem_cell_reduce_offset(state);
+    }
     status = status ? status : wrap_and_remove(state, weighted);
     DEM_TRY(dem_agree(state, status));
     if (state->flows->n > 0 && (state->steps%REMOVAL_STEPS == 0 || state->flows->left))

@@ -48,6 +48,8 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     memcpy(state->cell.backup[0], state->domain.length, sizeof state->domain.length);
     memcpy(state->cell.backup[1], state->cell.rate, sizeof state->cell.rate);
     memcpy(state->cell.backup[2], state->cell.integral, sizeof state->cell.integral);
+    state->cell.backup[3][0] = state->domain.offset;
+    state->cell.backup[3][1] = state->cell.strain;
     dem_wall_bodies_backup(state, half_kick ? half_kick->kick : 0.0);
     backup->time = state->time;
     backup->steps = state->steps;

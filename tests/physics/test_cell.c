@@ -140,16 +140,105 @@ static void test_strength(void)
     dem_free(d);
 }
 
+/* ---- simple shear ---------------------------------------------------------------------------- */
+
+static double nearest(double x, double length)
+{
+    return x - length*rint(x/length);
+}
+
+/* A free particle keeps its velocity u_x + D y in space, also through the faces of y. */
+static void test_shear_flow(void)
+{
+    static const struct dem_new_particle seeds[] = {
+        {.position = {0.002, 0.003, 0.0071}, .diameter = 1e-3, .material = "glass", .id = 0},
+        {.position = {0.008, 0.008, 0.0013}, .diameter = 1e-3, .material = "glass", .velocity = {0.0, 0.05, 0.0}, .id = 1}};
+    struct dem *const d = world(
+        GLASS "time { step 2.5e-6; } domain { x (0 0.01); y (0 0.01); z (0 0.01); periodic (x y z); cell { xy { rate "
+        "2; } } } ", 2, seeds);
+    struct dem_cell_now c;
+
+    world_run(d, 0.1);
+    WORLD_TRY(dem_cell(d, &c));
+    const struct world_particle one = world_at(d, 0), two = world_at(d, 1);
+    const double boxes = rint((two.x[1] - 0.013)/0.01);
+
+    TAP_OK(fabs(c.shear - 0.2) < 1e-12 && fabs(one.x[0] - 0.002 - 0.2*0.003) < 1e-11 && fabs(one.x[1] - 0.003) < 1e-15,
+           "a particle at rest in the flow moves with it: by %.9g m", one.x[0] - 0.002);
+    TAP_OK(fabs(two.v[0] + 2.0*0.05*0.1) < 1e-9, "u_x of one that moves across falls by D u_y t: %.9g m/s", two.v[0]);
+    TAP_OK(fabs(nearest(two.x[0] - 0.008 - 0.2*0.008 - boxes*0.2*0.01, 0.01)) < 1e-9,
+           "and in space it goes straight, through a face that slides: off by %.2g m",
+           nearest(two.x[0] - 0.008 - 0.2*0.008 - boxes*0.2*0.01, 0.01));
+    dem_free(d);
+}
+
+/* Eight spheres in a small cell, or four copies of them in one that is twice as long and wide. */
+static struct dem *lattice(int copies, double edge, int energy)
+{
+    struct dem_new_particle seeds[32];
+    int n = 0;
+
+    for (int c = 0; c < copies*copies; c++)
+    {
+        for (int k = 0; k < 8; k++, n++)
+        {
+            const double to[3] = {k%2, k/2%2, k/4}, cell[3] = {c%copies, c/copies, 0.0};
+
+            seeds[n] = (struct dem_new_particle){.diameter = 1e-3, .material = "glass", .id = n};
+            for (int a = 0; a < 3; a++)
+            {
+                seeds[n].position[a] = edge*(cell[a] + 0.5*to[a] + 0.25);
+                seeds[n].velocity[a] = 0.3*sin(7.0*k + 3.0*a);
+            }
+        }
+    }
+    const char *const scene = world_text(
+        GLASS "time { step 2.5e-6; } domain { x (0 %g); y (0 %g); z (0 %g); periodic (x y z); cell { xy { rate 150; } "
+        "} } ", edge*copies, edge*copies, edge);
+
+    return energy ? energy_world(scene, n, seeds) : world(scene, n, seeds);
+}
+
+static void test_copies(void)
+{
+    struct dem *const small = lattice(1, 2.4e-3, 1), *const large = lattice(2, 2.4e-3, 0);
+    const double before = energy_term(small, "kinetic_translation");
+    double off = 0.0, fastest = 0.0;
+
+    world_run(small, 0.004);
+    world_run(large, 0.004);
+    for (int k = 0; k < 8; k++)
+    {
+        const struct world_particle one = world_at(small, k), two = world_at(large, k);
+
+        for (int a = 0; a < 3; a++)
+        {
+            off = fmax(off, fabs(one.v[a] - two.v[a]));
+            fastest = fmax(fastest, fabs(one.v[a]));
+        }
+    }
+    TAP_OK(off < 1e-8*fastest && fastest > 0.01,
+           "a sheared cell and four copies of it in one cell move alike: %.2g of %.3g m/s", off, fastest);
+    TAP_OK(fabs(energy_term(small, "residual")) < 0.01*(before + energy_term(small, "work_cell")),
+           "the work of the shear, %.3g J, is in the balance, but for %.2g J", energy_term(small, "work_cell"),
+           energy_term(small, "residual"));
+    dem_free(small);
+    dem_free(large);
+}
+
 /* ---- bits ------------------------------------------------------------------------------------ */
 
-static const char gas[] =
-    GLASS "time { step 2.5e-6; } domain { x (0 0.008); y (-0.004 0.004); z (0 0.008); periodic (x y z); cell { xx { "
-    "stress -40; } yy { rate -1; } zz { rate 0.8; end 0.02; } maxRate 3; } } insert { a { type random; count 150; "
-    "diameter 1e-3; min (0 -0.004 0); max (0.008 0.004 0.008); velocity (0.3 -0.2 0.1); } } ";
+#define GAS(cell) \
+    GLASS "time { step 2.5e-6; } domain { x (0 0.008); y (-0.004 0.004); z (0 0.008); periodic (x y z); cell { " cell \
+    " } } insert { a { type random; count 150; diameter 1e-3; min (0 -0.004 0); max (0.008 0.004 0.008); velocity (0.3 " \
+    "-0.2 0.1); } } "
 
-static uint64_t gas_hash(int save, int reload)
+static const char gas[] = GAS("xx { stress -40; } yy { rate -1; } zz { rate 0.8; end 0.02; } maxRate 3;"),
+                  sheared[] = GAS("xx { stress -40; } yy { rate -1; } xy { rate 50; start 0.001; } maxRate 3;");
+
+static uint64_t gas_hash(const char *scene, int save, int reload)
 {
-    struct dem *d = world(gas, 0, NULL);
+    struct dem *d = world(scene, 0, NULL);
 
     for (int k = 1; k <= 30; k++)
     {
@@ -160,7 +249,7 @@ static uint64_t gas_hash(int save, int reload)
         }
         if (reload && k == 14)
         {
-            struct dem_case *const c = world_begin(gas);
+            struct dem_case *const c = world_begin(scene);
 
             dem_free(d);
             WORLD_TRY(dem_case_load(c, file));
@@ -173,12 +262,12 @@ static uint64_t gas_hash(int save, int reload)
     return hash;
 }
 
-static void test_bits(void)
+static void test_bits(const char *what, const char *scene)
 {
-    const uint64_t one = gas_hash(0, 0), two = gas_hash(1, 0), three = gas_hash(1, 1);
+    const uint64_t one = gas_hash(scene, 0, 0), two = gas_hash(scene, 1, 0), three = gas_hash(scene, 1, 1);
 
-    TAP_OK(one == two, "the same bits whenever particles are wrapped: %016llx", (unsigned long long)one);
-    TAP_OK(three == one, "and after a restart in the middle: %016llx", (unsigned long long)three);
+    TAP_OK(one == two, "%s: the same bits whenever particles are wrapped: %016llx", what, (unsigned long long)one);
+    TAP_OK(three == one, "%s: and after a restart in the middle: %016llx", what, (unsigned long long)three);
 }
 
 /* ---- refusals -------------------------------------------------------------------------------- */
@@ -189,7 +278,8 @@ static void test_refusals(void)
         {"domain { z (0 1); cell { zz { rate 1; } } }", "not periodic along z"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; stress 1; } } }", "both of rate"},
         {"domain { z (0 1); periodic (z); cell { zz { stress 1; } } }", "maxRate"},
-        {"domain { z (0 1); periodic (z); cell { } }", "none of xx, yy, zz"},
+        {"domain { z (0 1); periodic (z); cell { } }", "none of xx, yy, zz, xy"},
+        {"domain { y (0 1); periodic (y); cell { xy { rate 1; } } }", "not periodic along x and y"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } walls { w { type plane; material glass; point (0 "
          "0 0); normal (1 0 0); } }", "wall w"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } outlets { o { point (0 0 0); normal (1 0 0); } }",
@@ -215,7 +305,10 @@ int main(void)
     close(f);
     test_flow();
     test_strength();
-    test_bits();
+    test_shear_flow();
+    test_copies();
+    test_bits("two stresses", gas);
+    test_bits("shear", sheared);
     test_refusals();
     unlink(file);
     TAP_DONE;
