@@ -88,6 +88,7 @@ void dem_case_free(struct dem_case *c)
         return;
     }
     dem_memory_free(c->initial_material);
+    dem_memory_free(c->allowed);
     dem_initial_particles_free(&c->initial);
     dem_memory_free(c->reformed);
     dem_free(c->d);

@@ -26,6 +26,12 @@ struct dem_case
     char exchanged[DEM_SCALARS][48];            /* and their scalars */
     double displaced_density, fluid_density;    /* kg/m3  of the coupled fluid */
     int own_wake;                               /* dem_case_fluid_own_wake */
+    struct dem_allowed_diameters                /* dem_case_allow_diameters */
+    {
+        char material[48];
+        double min, max;                        /* m */
+    } *allowed;
+    size_t alloweds, allowed_capacity;
 
     /* a snapshot */
     char load_path[1024];                       /* "": none */
@@ -84,8 +90,11 @@ int dem_api_refuse_overlap(struct dem *);
 int dem_api_check_start(struct dem_case *);
 int dem_api_check_inserted(struct dem_case *);
 
+/* With lists: refuse an overlap of a particle that is flagged as new. */
+int dem_api_refuse_new_overlap(struct dem *);
+
 /* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
-   put back, so that the run goes on with the same bits. */
+   put back, so that the run goes on with the same bits; also after an error of `look`. */
 int dem_api_with_lists(struct dem *, int (*look)(struct dem *));
 
 #endif

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include <fenv.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -57,6 +58,13 @@ int dem_case_set(struct dem_case *c, const char *path, const char *value)
 {
     DEM_TRY(require_scene(c, "dem_case_set"));
     return dem_dict_set(c->d->dict, path, value);
+}
+
+int dem_case_remove(struct dem_case *c, const char *path, int *removed)
+{
+    DEM_TRY(require_scene(c, "dem_case_remove"));
+    *removed = dem_dict_unset(c->d->dict, path);
+    return DEM_OK;
 }
 
 int dem_case_remove_effect(struct dem_case *c, const char *effect)
@@ -215,6 +223,25 @@ int dem_case_add_particles(struct dem_case *c, int64_t n, const struct dem_new_p
 
     fesetenv(&caller);
     return status;
+}
+
+int dem_case_allow_diameters(struct dem_case *c, const char *material, double min, double max)
+{
+    struct dem_allowed_diameters *a;
+
+    DEM_TRY(require_open(c, "dem_case_allow_diameters"));
+    DEM_REQUIRE(min > 0.0 && max >= min && isfinite(max), DEM_ERROR_INPUT,
+                "material %s: diameters from %g to %g m; give two numbers above 0, the smaller first",
+                material, min, max);
+    DEM_REQUIRE(strlen(material) < sizeof a->material, DEM_ERROR_INPUT,
+                "material %s: its name is longer than %zu characters", material,
+                sizeof a->material - 1);
+    DEM_TRY(DEM_GROW(c->allowed, c->allowed_capacity, c->alloweds + 1));
+    a = &c->allowed[c->alloweds++];
+    snprintf(a->material, sizeof a->material, "%s", material);
+    a->min = min;
+    a->max = max;
+    return DEM_OK;
 }
 
 /* ---- what only some runs need ---------------------------------------------------------------- */

@@ -168,6 +168,23 @@ int dem_api_finish_physics(struct dem *d)
     return check_wall_speeds(d, min_radius(d));
 }
 
+/* Diameters that the program may add later. */
+static int add_allowed(const struct dem_case *c)
+{
+    struct dem_interaction_table *const r = &c->d->state.interaction_table;
+    int m;
+
+    for (size_t k = 0; k < c->alloweds; k++)
+    {
+        const struct dem_allowed_diameters *const a = &c->allowed[k];
+
+        DEM_TRY(dem_interaction_table_find_material(r, a->material, "dem_case_allow_diameters", &m));
+        r->min_radius[m] = r->min_radius[m] > 0.0 ? fmin(r->min_radius[m], 0.5*a->min) : 0.5*a->min;
+        r->max_radius[m] = fmax(r->max_radius[m], 0.5*a->max);
+    }
+    return DEM_OK;
+}
+
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
 int dem_api_add_radii(struct dem_case *c)
 {
@@ -192,7 +209,7 @@ int dem_api_add_radii(struct dem_case *c)
     }
     dem_insert_ratios(&d->scene.insertion, r);
     dem_streams_ratios(&d->scene.streams, r);
-    return DEM_OK;
+    return add_allowed(c);
 }
 
 /* Without particles of the program all ids are known from the scene. */

@@ -65,15 +65,16 @@ int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
     int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts,
                                                   p->pairs.wall_facet));
 
-    status = status ? status : dem_neighbor_rebuild(p);
-    status = status ? status : look(d);
-    status = dem_collect_agree(&p->decomposition, status);
     if (status)
     {
         dem_backup_free(&backup);
         return status;
     }
-    status = dem_backup_restore(&backup, &p->particles, &p->contacts);
+    status = dem_neighbor_rebuild(p);
+    status = dem_collect_agree(&p->decomposition, status ? status : look(d));
+    const int restored = dem_backup_restore(&backup, &p->particles, &p->contacts);
+
+    status = status ? status : restored;
     dem_backup_free(&backup);
     p->stale = 2;
     p->limits.overlap = 0.0;
@@ -90,7 +91,7 @@ static int measure_overlap(struct dem *d)
     return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
 }
 
-static int refuse_new_overlap(struct dem *d)
+int dem_api_refuse_new_overlap(struct dem *d)
 {
     return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
 }
@@ -103,7 +104,7 @@ int dem_api_check_inserted(struct dem_case *c)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_api_with_lists(c->d, refuse_new_overlap));
+    DEM_TRY(dem_api_with_lists(c->d, dem_api_refuse_new_overlap));
     for (size_t i = 0; i < p->n; i++)
     {
         p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;

@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "contacts/contact_rows.h"
+#include <stdlib.h>
 #include <string.h>
 
 void dem_contact_history_free(struct dem_contact_history *h)
@@ -145,6 +146,34 @@ void dem_contact_history_take(struct dem_contact_history *h, const struct dem_co
     {
         h->column[m][row] = h->saved_value[(hash->slot[slot] - 1)*(size_t)h->columns + (size_t)m];
     }
+}
+
+static int compare_ids(const void *a, const void *b)
+{
+    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
+
+    return (p > q) - (p < q);
+}
+
+void dem_contact_history_drop(struct dem_contact_history *h, const int64_t *id, size_t n)
+{
+    const size_t columns = (size_t)h->columns;
+    size_t kept = 0;
+
+    for (size_t k = 0; k < h->saved && n > 0; k++)
+    {
+        const struct dem_contact_key *const key = &h->saved_key[k];
+
+        if (!bsearch(&key->low, id, n, sizeof *id, compare_ids) &&
+            !bsearch(&key->high, id, n, sizeof *id, compare_ids))
+        {
+            h->saved_key[kept] = *key;
+            memmove(h->saved_value + kept*columns, h->saved_value + k*columns,
+                    columns*sizeof *h->saved_value);
+            kept++;
+        }
+    }
+    h->saved = n > 0 ? kept : h->saved;
 }
 
 void dem_contact_history_forget(struct dem_contact_history *h)

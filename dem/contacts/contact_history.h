@@ -72,6 +72,9 @@ int dem_contact_history_hash(const struct dem_contact_history *, struct dem_cont
 /* Give a row the saved history of this key, if there is one. */
 void dem_contact_history_take(struct dem_contact_history *, const struct dem_contact_hash *,
                               const struct dem_contact_key *, uint32_t row);
+
+/* Drop saved contacts of these n ids, which are in rising order. */
+void dem_contact_history_drop(struct dem_contact_history *, const int64_t *id, size_t n);
 void dem_contact_history_forget(struct dem_contact_history *);   /* free the saved history */
 
 #endif

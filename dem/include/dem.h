@@ -98,6 +98,10 @@ int dem_case_scene_text(struct dem_case *, const char *text, const char *name);
 /* Override or add one entry of the scene: dem_case_set(c, "effects/dry/restitution", "0.9"). */
 int dem_case_set(struct dem_case *, const char *path, const char *value);
 
+/* Remove one entry or group of the scene: dem_case_remove(c, "walls/gate"). *removed: 1 when it was
+   there. */
+int dem_case_remove(struct dem_case *, const char *path, int *removed);
+
 /* Remove an effect from the entries `effects` and `pairs` of the scene. An error when the scene
    does not have it. */
 int dem_case_remove_effect(struct dem_case *, const char *effect);
@@ -121,6 +125,9 @@ int dem_case_add_region(struct dem_case *, const char *name, int zone, int64_t n
 
 /* Add particles besides the scene's own. Every rank gives the same list. */
 int dem_case_add_particles(struct dem_case *, int64_t n, const struct dem_new_particle *);
+
+/* Particles of this material may get diameters from `min` to `max` [m] in dem_add_particles. */
+int dem_case_allow_diameters(struct dem_case *, const char *material, double min, double max);
 
 /* Continue from a snapshot, which is read in dem_start. The scene may be an edited one: groups of
    `insert` that the snapshot does not have are inserted, walls go on from where they stood, and
@@ -204,6 +211,17 @@ int dem_stopped(const struct dem *);
 void dem_set_progress(struct dem *, double seconds,
                       void (*report)(void *self, double time, int64_t steps), void *self);
 
+/* From now on dem_advance calls `add` on this rank in each step: after the particles have moved and
+   before contact forces are computed, at the time of the positions, with velocities half a step behind
+   them; and before its first half kick, with both at one time. It adds force [N] and torque [N m],
+   3 each in the order of the view, 0 when it is called, which act in the kick of this step; forces in
+   the view are contact forces of the step before. The result must depend on the particle, not on
+   rank or index, for the same bits on any ranks. Of the library it may call dem_at only. Forces on
+   frozen particles have no effect. NULL ends it. Refused in coupled runs and with clumps; with it the CPU makes the steps. */
+int dem_set_force(struct dem *,
+                  void (*add)(void *self, double time, const struct dem_view *, double *force,
+                              double *torque), void *self);
+
 /* The longest stable step and the step in use. Zeros where a snapshot has not been read yet. */
 struct dem_step_limit dem_step_limit(const struct dem *);
 
@@ -211,6 +229,40 @@ struct dem_step_limit dem_step_limit(const struct dem *);
    corners [m] at the end of the next dem_advance; they move linearly in time until then. A wall for
    which it is not called stays at rest. */
 int dem_wall_move(struct dem *, const char *name, int64_t n, const double *triangles);
+
+/* ---- change a run between two advances ------------------------------------------------------- */
+
+/* Collective; each rank gives the same list. Add, remove or change particles between two advances. The
+   energy balance has what that supplies as its item `edited`. After an error the run is as before,
+   unless memory has run out. Refused in coupled runs, and after an advance that was stopped, until
+   the rest of it has been made.
+
+   dem_add_particles: an id below 0 becomes the next free one; another one has to be above all ids
+   that the run has had. `id`, if not NULL, gets the ids. The run has a particle of the same material
+   that is not smaller and one that is not larger: the time step and the lists follow from these
+   (dem_case_allow_diameters). New particles touch nothing, or overlap by less than
+   time/maxStartOverlap.
+   dem_remove_particles: contacts and bonds with the particles end.
+   dem_set_particles: n numbers or vectors for n different ids; NULL leaves a quantity as it is. A
+   particle that is moved keeps the history of contacts that it still has. One that is frozen
+   comes to rest, or has the velocity and spin that are given with it. */
+struct dem_particle_changes
+{
+    const double *position, *velocity, *spin;  /* m, m/s, 1/s  3 each */
+    const int *frozen;                         /* 0 or 1 */
+    const double *value;                       /* of the particle scalar of this number */
+    int scalar;
+};
+int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *, int64_t *id);
+int dem_remove_particles(struct dem *, int64_t n, const int64_t *id);
+int dem_set_particles(struct dem *, int64_t n, const int64_t *id,
+                      const struct dem_particle_changes *);
+
+/* Collective. A run that has been started from a snapshot of `from`, just written, with an edited scene
+   takes over what a snapshot does not hold: the sums of the energy balance, if the effects are the
+   same, with the change of elastic energy in the item `edited`; impulses on walls
+   of the same name; losses and broken bonds that nobody has asked for yet. */
+int dem_take_over(struct dem *, struct dem *from);
 
 /* ---- save and restore ------------------------------------------------------------------------ */
 

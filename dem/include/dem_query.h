@@ -153,6 +153,12 @@ int dem_wall_wear(struct dem *, int wall, double *volume);
 /* The particles that this rank owns: pointers into the library's arrays, for reading. */
 void dem_view(const struct dem *, struct dem_view *);
 
+/* For languages whose arrays may outlive what they show: the arrays of dem_view stay as they are and
+   belong to the caller from now on, who frees each with dem_view_free; the run goes on with
+   copies. */
+int dem_view_leave(struct dem *, struct dem_view_arrays *);
+void dem_view_free(void *array);    /* NULL is allowed */
+
 /* Contact stress times volume [J] of each particle of the view: xx yy zz xy yz zx of the sum of
    force times branch vector over its contacts, tension positive (records/virial.h). Sums over a
    region divided by its volume are the contact stress. `virial` has 6 numbers a particle; all are 0

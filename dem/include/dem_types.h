@@ -285,6 +285,13 @@ struct dem_view
                                                   others: positions that differ by it are one */
 };
 
+/* the arrays of a view: dem_view_leave; NULL: there is none */
+struct dem_view_arrays
+{
+    void *record;                     /* what has a stride */
+    void *force, *torque, *orientation;
+};
+
 /* ---- particle scalars ------------------------------------------------------------------------ */
 
 /* a number per particle that effects of the scene declare: dem_scalar_info */

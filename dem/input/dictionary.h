@@ -53,6 +53,9 @@ void dem_dict_free(struct dem_dict *d);    /* the top only; null is allowed */
    dictionary in it. False when there was none. */
 bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const char *name);
 
+/* Remove the entry or dictionary of this path, "walls/gate"; false when there is none. */
+bool dem_dict_unset(struct dem_dict *d, const char *path);
+
 /* Does the entry exist? Does not mark it as read. */
 bool dem_dict_has(const struct dem_dict *d, const char *name);
 

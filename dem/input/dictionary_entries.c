@@ -121,6 +121,19 @@ bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const ch
     return deep ? found : dem_dict_remove_entry(e->dict, name);
 }
 
+bool dem_dict_unset(struct dem_dict *d, const char *path)
+{
+    const char *const slash = strchr(path, '/');
+
+    if (!slash)
+    {
+        return dem_dict_remove_entry(d, path);
+    }
+    const struct dem_entry *const e = dem_dict_find(d, path, (size_t)(slash - path));
+
+    return e && e->dict && dem_dict_unset(e->dict, slash + 1);
+}
+
 /* The message of dem_did_you_mean_error, `unknown entry "x"`, with the path of the dictionary
    inserted before the known words. */
 static int refuse_entry(const struct dem_entry *e)

@@ -57,7 +57,7 @@ stage: all $(BUILD)/man/dem.1
 	$Q$(call fill,suna.pc.in,pkgconfig/suna.pc)
 	$Q$(call fill,sunaConfig.cmake.in,cmake/suna/sunaConfig.cmake)
 	$Q$(call fill,sunaConfigVersion.cmake.in,cmake/suna/sunaConfigVersion.cmake)
-	$Qcd ../python && find $(PACKAGES) -name '*.py' -exec install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{} \;
+	$Qcd ../python && find $(PACKAGES) -name '*.py' -o -name py.typed | xargs -I {} install -m 644 -D {} $(abspath $(STAGE))$(PYTHONDIR)/{}
 	$Qinstall -m 644 -Dt $(STAGE)$(PYTHONDIR)/suna/include $(HEADERS)
 	$Qln -s $$(realpath -ms --relative-to=$(PYTHONDIR)/suna $(LIBDIR))/$(SONAME) $(STAGE)$(PYTHONDIR)/suna/libdem.so
 	$Qinstall -m 644 -Dt $(STAGE)$(MANDIR)/man1 $(BUILD)/man/*.1

@@ -4,7 +4,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "particles/applied_forces.h"
+#include "core/error.h"
 #include "core/memory.h"
+#include <string.h>
 
 void dem_applied_forces_free(struct dem_applied_forces *a)
 {
@@ -13,6 +15,8 @@ void dem_applied_forces_free(struct dem_applied_forces *a)
         dem_memory_free(a->force[k].ids);
     }
     dem_memory_free(a->force);
+    dem_memory_free(a->program.force);
+    dem_memory_free(a->program.torque);
     *a = (struct dem_applied_forces){.force = NULL};
 }
 
@@ -47,14 +51,36 @@ static int acts(const struct dem_applied_force *f, const struct dem_particle *p,
         && (f->material < 0 || f->material == p->material) && (!f->ids || has_id(f, p->id));
 }
 
-int dem_applied_forces_at(const struct dem_applied_forces *a, const struct dem_particle *p,
-                          double time, double force[3], double torque[3])
+int dem_applied_forces_ask(struct dem_applied_forces *a, const struct dem_particles *p,
+                           const double period[3], double time)
 {
-    int any = 0;
+    struct dem_program_forces *const g = &a->program;
+    struct dem_view view;
+
+    if (!g->add)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_GROW(g->force, g->capacity, 3*p->n + 1));
+    DEM_TRY(DEM_GROW(g->torque, g->torque_capacity, 3*p->n + 1));
+    memset(g->force, 0, 3*p->n*sizeof *g->force);
+    memset(g->torque, 0, 3*p->n*sizeof *g->torque);
+    dem_particles_view(p, period, &view);
+    g->worked = 1;
+    g->add(g->self, time, &view, g->force, g->torque);
+    return DEM_OK;
+}
+
+int dem_applied_forces_at(const struct dem_applied_forces *a, const struct dem_particles *all,
+                          size_t i, double time, double force[3], double torque[3])
+{
+    const struct dem_particle *const p = &all->record[i];
+    int any = a->program.add && p->inverse_mass > 0.0;
 
     for (int k = 0; k < 3; k++)
     {
-        force[k] = torque[k] = 0.0;
+        force[k] = any ? a->program.force[3*i + (size_t)k] : 0.0;
+        torque[k] = any ? a->program.torque[3*i + (size_t)k] : 0.0;
     }
     for (int f = 0; f < a->n && p->inverse_mass > 0.0; f++)
     {

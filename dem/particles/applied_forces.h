@@ -1,5 +1,6 @@
 /*
- * applied_forces.h -- forces and torques that a scene prescribes for chosen particles.
+ * applied_forces.h -- forces and torques that a scene prescribes for chosen particles, and those that
+ * a function of the program gives in each step (dem_set_force).
  *
  * A particle is chosen by all conditions that are given: its id, its material, a box in which its
  * centre is, and the time. Nothing is stored with particles, so choice and force are the same on
@@ -23,18 +24,41 @@ struct dem_applied_force
     size_t count;
 };
 
+typedef void dem_force_function(void *self, double time, const struct dem_view *, double *force,
+                                double *torque);
+
+struct dem_program_forces        /* of dem_set_force */
+{
+    dem_force_function *add;     /* NULL: none */
+    void *self;
+    double *force, *torque;      /* N, N m  3 each, of the owned particles, as asked for last */
+    size_t capacity, torque_capacity;
+    int worked;                  /* 1: some forces have acted */
+};
+
 struct dem_applied_forces
 {
     struct dem_applied_force *force;
     int n;
     int torques;                 /* 1: some torque is not zero */
+    struct dem_program_forces program;
 };
 
 void dem_applied_forces_free(struct dem_applied_forces *);
 
-/* Force [N] and torque [N m] on a particle at this time [s]; 0 if there is none. Frozen particles
-   have none. */
-int dem_applied_forces_at(const struct dem_applied_forces *, const struct dem_particle *,
+/* 1 when there are any. */
+static inline int dem_applied_forces_exist(const struct dem_applied_forces *a)
+{
+    return a->n > 0 || a->program.add;
+}
+
+/* Ask the program for its forces at this time [s]; period: of dem_view. */
+int dem_applied_forces_ask(struct dem_applied_forces *, const struct dem_particles *,
+                           const double period[3], double time);
+
+/* Force [N] and torque [N m] on owned particle i at this time [s]; 0 if there is none. Frozen
+   particles have none. */
+int dem_applied_forces_at(const struct dem_applied_forces *, const struct dem_particles *, size_t i,
                           double time, double force[3], double torque[3]);
 
 #endif

@@ -202,6 +202,12 @@ struct dem_particle dem_particle_sphere(int64_t id, const double x[3], double di
 size_t dem_particles_bytes(const struct dem_particles *);
 size_t dem_particles_bytes_per_particle(const struct dem_particles *);
 
+/* The owned particles for other programs (dem_types.h). */
+void dem_particles_view(const struct dem_particles *, const double period[3], struct dem_view *);
+
+/* Go on with copies of the arrays that a view shows; `was` gets the arrays. */
+int dem_particles_leave(struct dem_particles *, struct dem_view_arrays *was);
+
 static inline double dem_sphere_volume(double radius)
 {
     return 4.0/3.0*3.14159265358979323846*radius*radius*radius;

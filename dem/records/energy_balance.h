@@ -4,6 +4,7 @@
  *
  *   total = kinetic + gravity + elastic + lost + broken - work of walls
  *           - work of other body forces + carried out - carried in
+ *           - supplied by edits between advances (run/edit_particles.c)
  *           + gain of heat content - what it comes from (energy_work.c)
  *
  * The total is constant up to the error of the integrator; its change is the residual. Each term is
@@ -74,7 +75,7 @@ enum dem_energy_balance_sum                                       /* of each eff
 
 enum
 {
-    DEM_ENERGY_BALANCE_ITEMS = 24 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
+    DEM_ENERGY_BALANCE_ITEMS = 25 + DEM_ENERGY_BALANCE_SUMS_PER_EFFECT*DEM_EFFECT_LIST_LIMIT
 };
 
 struct dem_energy_balance_scratch    /* working columns of the current batch */
@@ -115,6 +116,9 @@ struct dem_energy_balance
     int sums_elastic;
     /* s, J: when it began, the total then */
     double since, start;
+    /* J: supplied by edits between advances; 1: there were edits */
+    double edited;
+    int edits;
     /* the particle scalar whose content is energy, or -1 */
     int heat;
     /* m/s2 */
@@ -144,6 +148,12 @@ void dem_energy_balance_begin(struct dem_state *);
 
 /* Collective, at the end of a window. Compute all terms, as `items` entries of `item`. */
 void dem_energy_balance_report(struct dem_state *);
+
+/* Collective, between two advances: the total, without what edits have supplied. After an edit, and a
+   sweep that summed elastic energies: the edit has supplied what the total has grown by since it was
+   `before` [J]. No effect without a balance. */
+double dem_energy_balance_total(struct dem_state *);
+void dem_energy_balance_edited(struct dem_state *, double before);
 
 /* ---- contacts: a batch of the sweep ---------------------------------------------------------- */
 

@@ -254,7 +254,7 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "work_cell", "", cell);
     }
-    if (p->applied_forces.n > 0)
+    if (p->applied_forces.n > 0 || p->applied_forces.program.worked)
     {
         add_term(l, "work_forces", "", applied);
     }
@@ -281,11 +281,31 @@ void dem_energy_balance_begin(struct dem_state *p)
     p->energy_balance->begun = 1;
 }
 
+double dem_energy_balance_total(struct dem_state *p)
+{
+    return report_all(p);
+}
+
+void dem_energy_balance_edited(struct dem_state *p, double before)
+{
+    struct dem_energy_balance *const l = p->energy_balance;
+
+    if (l->open)
+    {
+        l->edited += report_all(p) - before;
+        l->edits = 1;
+    }
+}
+
 void dem_energy_balance_report(struct dem_state *p)
 {
     struct dem_energy_balance *const l = p->energy_balance;
-    const double total = report_all(p);
+    const double total = report_all(p) - l->edited;
 
+    if (l->edits)
+    {
+        add_term(l, "edited", "", l->edited);
+    }
     add_term(l, "total", "", total);
     add_term(l, "residual", "", total - l->start);
 }

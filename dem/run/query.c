@@ -10,6 +10,7 @@
 #include "dem_tables.h"
 #include "device/device_steps.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "records/cell_stress.h"
 #include "records/totals.h"
 #include "records/virial.h"
@@ -309,29 +310,18 @@ int dem_wall_corners(struct dem *d, int wall, double *corners)
 
 void dem_view(const struct dem *d, struct dem_view *v)
 {
-    const struct dem_particles *const p = &d->state.particles;
-    const struct dem_particle *const r = p->record;
+    dem_particles_view(&d->state.particles, d->state.domain.length, v);
+}
 
-    *v = (struct dem_view){0};
-    if (!r)
-    {
-        return;
-    }
-    *v = (struct dem_view){.n = p->n,
-                           .stride = sizeof *r,
-                           .position = r->x,
-                           .velocity = r->v,
-                           .spin = r->w,
-                           .radius = &r->radius,
-                           .mass = &r->mass,
-                           .id = &r->id,
-                           .material = &r->material,
-                           .flags = &r->flags,
-                           .force = dem_column(p, DEM_COLUMN_FORCE),
-                           .torque = dem_column(p, DEM_COLUMN_TORQUE),
-                           .orientation = dem_column(p, DEM_COLUMN_ORIENTATION),
-                           .clump = dem_column(p, DEM_COLUMN_CLUMP) ? &r->body : NULL};
-    memcpy(v->period, d->state.domain.length, sizeof v->period);
+int dem_view_leave(struct dem *d, struct dem_view_arrays *was)
+{
+    *was = (struct dem_view_arrays){NULL, NULL, NULL, NULL};
+    return d->state.particles.record ? dem_particles_leave(&d->state.particles, was) : DEM_OK;
+}
+
+void dem_view_free(void *array)
+{
+    dem_memory_free(array);
 }
 
 int dem_virial(struct dem *d, double *virial)

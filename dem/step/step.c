@@ -205,6 +205,11 @@ static struct due what_is_due(const struct dem_state *state, int last)
     return due;
 }
 
+static const struct dem_applied_forces *applied_forces(const struct dem_state *state)
+{
+    return dem_applied_forces_exist(&state->applied_forces) ? &state->applied_forces : NULL;
+}
+
 static struct dem_body_sweep sweep_options(const struct dem_state *state, const struct due *due,
                                            double kick)
 {
@@ -221,7 +226,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *state, const 
         .sums_first = !due->fused,
         .unobserved = due->fused && !due->observed,
         .round = flat || state->cell.active ? NULL : state->domain.round,
-        .applied = state->applied_forces.n > 0 ? &state->applied_forces : NULL,
+        .applied = applied_forces(state),
         .time = state->time,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
         .scalars = scalars};
@@ -276,6 +281,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     {
         const struct dem_body_sweep half = {
             .kick = 0.5*state->dt, .window = state->window.length,
+            .applied = pass->sweep->applied, .time = state->time,
             .scalars = scalar_step(state, state->dt)};
 
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_SUMS);
@@ -306,6 +312,13 @@ static int sample_averages(struct dem_state *state, int status)
         dem_timers_end_rare_phase(state->timers, DEM_PHASE_AVERAGES);
     }
     return status;
+}
+
+/* Of this rank. */
+static int ask_for_forces(struct dem_state *state)
+{
+    return dem_applied_forces_ask(&state->applied_forces, &state->particles, state->domain.length,
+                                  state->time);
 }
 
 /* ---- the step -------------------------------------------------------------------------------- */
@@ -344,10 +357,14 @@ static void finish_step(struct dem_state *state, double since, int last, int *st
     const struct due due = what_is_due(state, last);
     const struct dem_body_sweep sweep = sweep_options(state, &due, kick);
 
+    const int asked = ask_for_forces(state);
+
     /* 4. contacts */
     dem_bodies_begin_pass(&pass, &state->particles, &state->interaction_table.bodies, &sweep);
-    *status = dem_sweep_contacts_and_bodies(state, state->dt, (const double[2]){since, state->time},
-                                            &pass);
+    const int swept = dem_sweep_contacts_and_bodies(
+        state, state->dt, (const double[2]){since, state->time}, &pass);
+
+    *status = swept ? swept : asked;
     dem_timers_end_phase(state->timers, DEM_PHASE_CONTACTS);
 
     /* 5. sums, body and fluid forces, kick */
@@ -399,7 +416,7 @@ static void first_kick(struct dem_state *state, double kick)
                          &(struct dem_body_sweep){
                              .kick = kick,
                              .window = state->window.length,
-                             .applied = state->applied_forces.n > 0 ? &state->applied_forces : NULL,
+                             .applied = applied_forces(state),
                              .time = state->time,
                              .energy_balance = state->energy_balance->open
                                                    ? state->energy_balance
@@ -486,6 +503,10 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
         DEM_TRY(dem_halo_refresh_window(&state->halo, &state->particles));
     }
     dem_flows_complete_departures(state->flows, 0.5*dt - done);
+    if (state->applied_forces.program.add)
+    {
+        DEM_TRY(dem_agree(state, ask_for_forces(state)));
+    }
     first_kick(state, 0.5*dt - done);
     return make_steps(state);
 }

@@ -155,12 +155,15 @@ struct applied    /* on the particles of a batch */
 
 /* Forces join the forces of body effects, before the kick. */
 static void add_applied(struct applied *a, struct dem_body_batch *batch,
-                        const struct dem_body_sweep *s, const struct dem_particle *record, int rows)
+                        const struct dem_body_sweep *s, const struct dem_particles *particles,
+                        size_t first, int rows)
 {
+    const struct dem_particle *const record = particles->record + first;
+
     for (int c = 0; c < rows; c++)
     {
-        a->any[c] = dem_applied_forces_at(s->applied, &record[c], s->time, a->force[c],
-                                          a->torque[c]);
+        a->any[c] = dem_applied_forces_at(s->applied, particles, first + (size_t)c, s->time,
+                                          a->force[c], a->torque[c]);
         memcpy(a->v[c], record[c].v, sizeof a->v[c]);
         memcpy(a->w[c], record[c].w, sizeof a->w[c]);
         batch->fx[c] += a->force[c][0];
@@ -231,7 +234,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     apply_effects(work, pass->bodies, s->energy_balance, pass->scalars);
     if (s->applied)
     {
-        add_applied(&applied, &work->batch, s, particles->record + first, rows);
+        add_applied(&applied, &work->batch, s, particles, first, rows);
     }
     if (fluid && pass->bodies->whole_drag)
     {

@@ -17,8 +17,10 @@ except ModuleNotFoundError as fault:
 from ._library import ffi, lib
 from .files import (FileError, read_cloud, read_record, read_snapshot, read_table, read_vtp, tables,
                     times)
-from .simulation import Simulation, SunaError, Wall
+from .particles import Forces, View
+from .simulation import Simulation, SunaError
+from .walls import Wall
 
 __version__ = ffi.string(lib.dem_version()).decode()
-__all__ = ["FileError", "Simulation", "SunaError", "Wall", "read_cloud", "read_record",
+__all__ = ["FileError", "Forces", "Simulation", "SunaError", "View", "Wall", "read_cloud", "read_record",
            "read_snapshot", "read_table", "read_vtp", "tables", "times"]

@@ -8,8 +8,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import reprlib
 from pathlib import Path
+from typing import Union
 
 import numpy
+
+File = Union[str, "os.PathLike[str]"]
 
 
 class SunaError(Exception):
@@ -121,11 +124,13 @@ def as_text(what, value):
         return "yes" if value else "no"
     if isinstance(value, str):
         return value
+    if isinstance(value, dict):
+        return "{ " + as_scene(value, group=f"{what}/").replace("\n", " ") + "}"
     if isinstance(value, Path):
         if '"' in str(value):
             raise SunaError(f"{what} is {str(value)!r}; a path in a scene cannot have quotation marks")
         return f'"{value}"'
-    if numpy.iterable(value) and not isinstance(value, (dict, bytes, bytearray)):
+    if numpy.iterable(value) and not isinstance(value, (bytes, bytearray)):
         return "(" + " ".join(as_text(what, x) for x in value) + ")"
     return str(value) if isinstance(value, int) else repr(number(what, value))
 

@@ -7,17 +7,18 @@ it: arrays and texts are copies.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import re
+import os
 import signal
 import threading
+import weakref
 from contextlib import contextmanager
-
-import numpy
 
 from ._arguments import SunaError
 from ._library import ffi, lib
+from .particles import Forces
 
-RAISED = 2000    # in the flag that ends an advance: a function of the caller raised an exception
+# in the flag that ends an advance: the progress function, or one that gives forces, raised an exception
+RAISED, FORCE_RAISED = 2000, 2001
 
 
 def string(pointer):
@@ -30,21 +31,6 @@ def check(status):
         raise SunaError(string(lib.dem_error_text()))
 
 
-def column(pointer, n, width=1, stride=None):
-    """Numbers of the library as a read-only array, n or n x width: a copy."""
-    kind = {"double": numpy.float64, "int64_t": numpy.int64,
-            "uint16_t": numpy.uint16}[re.match(r"(\w+)", ffi.typeof(pointer).item.cname)[0]]
-    shape = (n, width) if width > 1 else (n,)
-    size = numpy.dtype(kind).itemsize
-    array = numpy.empty(shape, kind)
-    if n > 0:
-        stride = stride or width*size
-        raw = ffi.buffer(pointer, (n - 1)*stride + width*size)
-        array[:] = numpy.ndarray(shape, kind, raw, strides=(stride, size)[:len(shape)])
-    array.flags.writeable = False
-    return array
-
-
 class Core:
     """struct dem_case of one simulation until it starts, struct dem from then on. Each use is
     `with core.case("call") as c`, `with core.run() as d`, which starts the run if need be, or
@@ -54,6 +40,7 @@ class Core:
     def __init__(self, comm):
         self._case, self._run = ffi.new("struct dem_case **"), ffi.new("struct dem **")
         self._lock, self._advances, self.closed = threading.RLock(), False, True
+        self._views, self._lent = 0, []
         check(lib.dem_case_create_fortran(self._case, -1 if comm is None else comm.py2f()))
         # as the core, which duplicates it too: the caller may free it
         self.closed, self._comm = False, comm.Dup() if comm else None
@@ -72,8 +59,8 @@ class Core:
                 raise SunaError("the simulation is closed; create another one, for example from a "
                                 "snapshot")
             if self._advances:
-                raise SunaError("the simulation is advancing; a progress function must not use it, "
-                                "only the time and the steps that it gets")
+                raise SunaError("the simulation is advancing; a progress function or a force must not "
+                                "use it, only what it gets")
             yield
         finally:
             self._lock.release()
@@ -106,9 +93,62 @@ class Core:
             yield (lib.dem_scene_dict(self._run[0]) if self.started
                    else lib.dem_case_dict(self._case[0]))
 
+    def restart(self, describe, path):
+        """Go on with the case that `describe(c)` describes, from the present state, which is written to
+        the file of this path and read. After an error all is as before."""
+        case, run = ffi.new("struct dem_case **"), ffi.new("struct dem **")
+        with self.changing() as d:
+            try:
+                check(lib.dem_save(d, path))
+                check(lib.dem_case_create_fortran(case, -1 if self._comm is None else self._comm.py2f()))
+                describe(case[0])
+                check(lib.dem_case_load(case[0], path))
+                check(lib.dem_start(case, run))
+                check(lib.dem_take_over(run[0], d))
+            except BaseException:
+                lib.dem_case_free(case[0])
+                lib.dem_free(run[0])
+                raise
+            finally:
+                if self._comm is not None:
+                    self._comm.Barrier()
+                if self.rank == 0:
+                    os.remove(path)
+            self._run[0] = run[0]
+            lib.dem_free(d)
+
+    @property
+    def rank(self):
+        return 0 if self._comm is None else self._comm.rank
+
+    @property
+    def single(self):
+        return self._comm is None or self._comm.size == 1
+
+    def shared(self, value):
+        """The value of the first rank, on all."""
+        return value if self._comm is None else self._comm.bcast(value)
+
+    def any(self, call):
+        """True on all ranks if call() is on one. If it raises an exception on one, all have one."""
+        fault, value = None, 0
+        try:
+            value = int(bool(call()))
+        except BaseException as error:
+            fault, value = error, 2
+        value = value if self._comm is None else max(self._comm.allgather(value))
+        if fault is not None:
+            raise fault
+        if value == 2:
+            raise SunaError("the function `until` of another rank raised an exception; see that rank's "
+                            "message")
+        return bool(value)
+
     def close(self):
         if not self.closed:
             with self._use():
+                if self.started:
+                    self._leave(self._run[0])
                 self.closed = True
                 lib.dem_case_free(self._case[0])
                 lib.dem_free(self._run[0])
@@ -116,10 +156,57 @@ class Core:
                 if self._comm is not None:
                     self._comm.Free()
 
-    def advance(self, duration, progress, every):
-        """dem_advance. An exception of progress ends it after a step, on all ranks, and is raised
-        here."""
-        fault = None
+    # ---- arrays without copy ---------------------------------------------------------------------
+
+    @contextmanager
+    def view(self):
+        """The view of the library, which no call may change meanwhile, and a function that makes an array
+        in it."""
+        view = ffi.new("struct dem_view *")
+        with self.run() as d:
+            lib.dem_view(d, view)
+        self._views += 1
+        try:
+            yield view, lambda block, size: self._lend(block, size)
+        finally:
+            self._views -= 1
+
+    def _lend(self, block, size):
+        """A buffer in the library. Arrays in it hold it, so it lives as long as they do."""
+        raw = ffi.buffer(block, size)    # numpy holds it, not the memoryview
+        self._lent = [one for one in self._lent if one()] + [weakref.ref(raw)]
+        return memoryview(raw).toreadonly()
+
+    def _leave(self, d):
+        """Before memory of the library may move or go: arrays in it keep it, the run goes on with
+        another."""
+        lent, self._lent = [one for one in self._lent if one()], []
+        if not lent:
+            return
+        was = ffi.new("struct dem_view_arrays *")
+        check(lib.dem_view_leave(d, was))
+        blocks = [ffi.gc(pointer, lib.dem_view_free)
+                  for pointer in (was.record, was.force, was.torque, was.orientation)]
+        for buffer in (one() for one in lent):
+            if buffer is not None:
+                weakref.finalize(buffer, id, blocks).atexit = False
+
+    @contextmanager
+    def changing(self):
+        """As run(), for calls that change the particles."""
+        with self.run() as d:
+            if self._views:
+                raise SunaError("a view of the simulation is open; change and advance it after the block "
+                                "of `with sim.view()`")
+            self._leave(d)
+            yield d
+
+    # ---- advance ---------------------------------------------------------------------------------
+
+    def advance(self, duration, progress, every, forces=()):
+        """dem_advance. An exception of progress, or of a function that gives forces, ends it after a
+        step, on all ranks, and is raised here; after one of the latter all is as before."""
+        fault, force_failed = None, False
 
         def report(_, time, steps):
             nonlocal fault
@@ -128,30 +215,49 @@ class Core:
             except BaseException as error:
                 fault, asked[0] = error, RAISED
 
+        def add(_, time, view, force, torque):
+            nonlocal fault, force_failed
+            try:
+                if fault is None:
+                    for function in forces:
+                        Forces(time, view, force, torque).ask(function)
+            except BaseException as error:
+                fault, force_failed, asked[0] = error, True, FORCE_RAISED
+
         call = ffi.NULL if progress is None else ffi.callback("void(void *, double, int64_t)", report)
-        with self.run() as d, _interrupt() as asked:
+        ask = ffi.callback("void(void *, double, struct dem_view *, double *, double *)", add)
+        with self.changing() as d, _interrupt() as asked:
+            back = forces and not lib.dem_stopped(d)
+            if back:
+                check(lib.dem_backup_every(d, 0))
             lib.dem_set_stop_flag(d, asked)
             lib.dem_set_progress(d, every, call, ffi.NULL)
+            check(lib.dem_set_force(d, ask if forces else ffi.NULL, ffi.NULL))
             self._advances = True
             try:
                 status = lib.dem_advance(d, duration)
+                message = string(lib.dem_error_text()) if status else ""
             finally:
                 self._advances = False
                 lib.dem_set_progress(d, every, ffi.NULL, ffi.NULL)
                 lib.dem_set_stop_flag(d, ffi.NULL)
+                lib.dem_set_force(d, ffi.NULL, ffi.NULL)
             reason = max(asked[0], lib.dem_stopped(d))
-        if status == 0 and self._comm is not None:
-            # it may have been set on one rank in the last step, which the core does not tell others
-            reason = max(self._comm.allgather(reason))
+            if self._comm is not None and lib.dem_ranks_agree(d):
+                # it may have been set on one rank in the last step, which the core does not tell others
+                reason = max(self._comm.allgather(reason))
+            if reason == FORCE_RAISED and back:
+                check(lib.dem_restore(d, ffi.new("double *")))
         if fault is not None:
             try:
                 raise fault
             finally:
                 fault = None    # its traceback holds this frame
-        check(status)
-        if reason == RAISED:
-            raise SunaError("the progress function of another rank raised an exception, which ended "
-                            "the advance; see that rank's message")
+        if reason >= RAISED:
+            raise SunaError("a function of another rank raised an exception, which ended the advance; "
+                            "see that rank's message")
+        if status:
+            raise SunaError(message)
         if reason:
             raise KeyboardInterrupt
 

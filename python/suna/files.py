@@ -9,19 +9,26 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
 import functools
 import os
 import re
 from pathlib import Path
+from typing import Any, Callable, Iterator, TypeVar
 
 import numpy
+
+from ._arguments import File
+
+Read = TypeVar("Read", bound=Callable[..., Any])
 
 
 class FileError(Exception):
     """A file that is not what it should be: which, and why."""
 
 
-def reader(read):
+def reader(read: Read) -> Read:
     """A reader that raises FileError for a damaged file, whatever is met first in it."""
     @functools.wraps(read)
     def guarded(path):
@@ -31,13 +38,13 @@ def reader(read):
             raise
         except Exception as error:
             raise FileError(f"{path}: damaged, or not a file of Suna: {error}") from error
-    return guarded
+    return guarded    # type: ignore[return-value]
 
 
 # ---- tables --------------------------------------------------------------------------------------
 
 @reader
-def read_table(path):
+def read_table(path: File) -> Any:
     """A pandas.DataFrame; columns by name without the unit. In its attrs: `units` by column, and
     `effects`, the names of the acting effects from effects.csv beside it (the last row's)."""
     import pandas
@@ -61,7 +68,7 @@ VTK_KINDS = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "Int32": "<i4",
 
 
 @reader
-def read_vtp(path):
+def read_vtp(path: File) -> dict[str, Any]:
     """The arrays of a .vtp file that Suna has written, by name; positions are `points`."""
     raw = Path(path).read_bytes()
     head, found, data = raw.partition(b"<AppendedData")
@@ -120,7 +127,7 @@ VERSION = 7    # DEM_SNAPSHOT_VERSION
 
 
 @reader
-def read_snapshot(path):
+def read_snapshot(path: File) -> dict[str, Any]:
     """The state in a snapshot: `time`, `steps`, `materials` (names), `particles` (a structured array
     with a field for each column of the core, too), `contacts` (keys and their history, as numbers)
     and `history` (its names)."""
@@ -154,7 +161,7 @@ def read_snapshot(path):
 BEAD = numpy.dtype([("id", "i4"), ("position", "f4", 3), ("velocity", "f4", 3), ("diameter", "f4")])
 
 
-def read_record(path):
+def read_record(path: File) -> Iterator[tuple[float, Any]]:
     """The instants of a particles.bin, one after the other: time [s], structured array of id,
     position, velocity, diameter. A last one that is not complete is left out."""
     with Path(path).open("rb") as file:
@@ -171,9 +178,9 @@ def read_record(path):
             yield float(time), numpy.frombuffer(file.read(int(n)*BEAD.itemsize), BEAD)
 
 
-def times(case):
+def times(case: File) -> list[tuple[float, Path]]:
     """Time folders of a case with particles, in order: (time, path)."""
-    found = []
+    found: list[tuple[float, Path]] = []
     for folder in Path(case).iterdir():
         try:
             found.append((float(folder.name), folder))
@@ -182,11 +189,11 @@ def times(case):
     return sorted((time, folder) for time, folder in found if any(folder.glob("lagrangian/*")))
 
 
-def tables(case):
+def tables(case: File) -> dict[str, Any]:
     """CSV tables of a coupled case by name; the rows of all starts, a later start replaces what an
     earlier one has from its time on."""
     import pandas
-    found = {}
+    found: dict[str, Any] = {}
     folders = sorted(Path(case).glob("postProcessing/dem/*"), key=lambda path: float(path.name))
     for folder in folders:
         for path in folder.glob("*.csv"):
@@ -246,7 +253,7 @@ def _positions(path, n, at, binary, body):
 
 
 @reader
-def read_cloud(folder):
+def read_cloud(folder: File) -> dict[str, Any]:
     """Fields of the particles in a time folder by name; `positions` are n x 3 [m]."""
     clouds = sorted(Path(folder).glob("lagrangian/*/positions"))
     if len(clouds) != 1:

@@ -2,60 +2,30 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
+import html
 import os
-from contextlib import contextmanager
+from typing import Any, Callable, Mapping
 
 import numpy
+from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import (SunaError, as_scene, as_text, file_name, number, numbers, switch, switches,
-                         text, texts, vectors, whole_numbers)
-from ._core import Core, check, column, string
+from ._arguments import (File, SunaError, as_scene, as_text, file_name, number, switch, text,
+                         whole_numbers)
+from ._core import Core, check, string
 from ._library import ffi, lib
-from .files import write_vtp
+from .editing import Editing, _new_particles
+from .output import Output
+from .particles import Forces
+from .walls import Wall
 
 # entries of a scene that belong to the program dem
 PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling",
            "accuracy")
 
 
-class Wall:
-    """A wall of the scene; its forces are exerted by the particles."""
-
-    def __init__(self, simulation, number, name):
-        self._simulation, self._number, self.name = simulation, number, name
-
-    def _pair(self, call):
-        one, other = ffi.new("double[3]"), ffi.new("double[3]")
-        with self._simulation._set_up() as d:
-            check(call(d, self._number, one, other))
-        return numpy.array(list(one)), numpy.array(list(other))
-
-    @property
-    def load(self):
-        """Present force [N] and torque about the origin [N m]. Collective."""
-        return self._pair(lib.dem_wall_load)
-
-    @property
-    def impulse(self):
-        """Impulse [N s] and its moment about the origin [N m s] since reset_impulses. Collective."""
-        return self._pair(lib.dem_wall_impulse)
-
-    @property
-    def corners(self):
-        """Corners of its triangles, n x 3 x 3 [m], on the first rank; none of planes, cylinders,
-        spheres. Collective."""
-        info = ffi.new("struct dem_wall_info *")
-        with self._simulation._set_up() as d:
-            lib.dem_wall_info(d, self._number, info)
-            corners = numpy.empty((info.triangles, 3, 3))
-            check(lib.dem_wall_corners(d, self._number, ffi.cast("double *", corners.ctypes.data)))
-        return corners
-
-    def __repr__(self):
-        return f"Wall({self.name!r})"
-
-
-class Simulation:
+class Simulation(Editing, Output):
     """A simulation.
 
     scene         text in the dictionary syntax, a dict, or the path of a file
@@ -72,61 +42,40 @@ class Simulation:
     the call. A simulation is used by one thread at a time.
     """
 
-    _core = None
-
-    def __init__(self, scene, settings=None, start=None, comm=None, energy=False,
-                 orientation=False, virial=False, without=None):
+    def __init__(self, scene: File | Mapping[str, Any], settings: Mapping[str, Any] | None = None,
+                 start: File | None = None, comm: Any = None, energy: bool = False,
+                 orientation: bool = False, virial: bool = False, without: str | None = None) -> None:
         if self._core is not None:
             raise SunaError("the simulation exists already; create another one")
         if comm is not None and not hasattr(comm, "py2f"):
             raise SunaError(f"comm is {comm!r}; give a communicator of mpi4py")
-        wanted = [(call, switch(name, value)) for name, value, call in
+        wanted = [call for name, value, call in
                   (("energy", energy, lib.dem_case_enable_energy),
                    ("orientation", orientation, lib.dem_case_enable_orientation),
-                   ("virial", virial, lib.dem_case_enable_virial))]
-        self._core = Core(comm)
+                   ("virial", virial, lib.dem_case_enable_virial)) if switch(name, value)]
+        left_out = None if without is None else text("without", without)
+        self._core, self._described = Core(comm), [_reader(scene), _override(settings)]
+        self._forces: list[Callable[[Forces], object]] = []
+        self._described += [lambda c: _options(c, left_out, wanted)]
         try:
             with self._core.case("Simulation") as c:
-                self._read(c, scene)
-                self._override(c, settings)
-                for entry in PROGRAM:
-                    lib.dem_scene_skip(lib.dem_case_dict(c), entry.encode())
-                if without is not None:
-                    check(lib.dem_case_remove_effect(c, text("without", without)))
+                for call in self._described:
+                    call(c)
                 if start is not None:
                     check(lib.dem_case_load(c, file_name("start", start)))
-                for call, on in wanted:
-                    if on:
-                        check(call(c))
         except BaseException:
             self.close()
             raise
 
-    @staticmethod
-    def _read(c, scene):
-        given = text("scene", as_scene(scene)) if isinstance(scene, dict) else file_name("scene", scene)
-        if isinstance(scene, dict) or b"{" in given or b";" in given:
-            check(lib.dem_case_scene_text(c, given, b"scene"))
-        else:
-            check(lib.dem_case_scene_file(c, given))
-
-    @staticmethod
-    def _override(c, settings):
-        if not isinstance(settings, (dict, type(None))):
-            raise SunaError(f"settings is {settings!r}; give a dict, {{\"time/step\": 1e-6}}")
-        for entry, value in (settings or {}).items():
-            check(lib.dem_case_set(c, text("a name in settings", entry),
-                                   text(entry, as_text(f"settings, {entry}", value))))
-
-    def close(self):
+    def close(self) -> None:
         """Free the core's memory. Collective with a communicator."""
         if self._core is not None:
             self._core.close()
 
-    def __enter__(self):
+    def __enter__(self) -> Simulation:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def __del__(self):
@@ -140,190 +89,89 @@ class Simulation:
 
     # ---- before the set-up -----------------------------------------------------------------------
 
-    def add_particles(self, position, diameter, material, velocity=0.0, spin=0.0, id=None,
-                      frozen=False):
+    def add_particles(self, position: ArrayLike, diameter: ArrayLike, material: str | list[str],
+                      velocity: ArrayLike = 0.0, spin: ArrayLike = 0.0, id: ArrayLike | None = None,
+                      frozen: ArrayLike = False) -> None:
         """Add particles; each argument is one value for all or an array. The same on all ranks."""
-        x = vectors("position", position, 3)
-        n = len(x)
-        v, w = numbers("velocity", velocity, (n, 3)), numbers("spin", spin, (n, 3))
-        d = numbers("diameter", diameter, n)
-        ids = numpy.broadcast_to(-1, n) if id is None else whole_numbers("id", id, n)
-        held = switches("frozen", frozen, n)
-        names = [ffi.new("char[]", name) for name in texts("material", material, n)]
-        particles = ffi.new("struct dem_new_particle[]", n)
-        for k, p in enumerate(particles):
-            p.position, p.velocity, p.spin = list(x[k]), list(v[k]), list(w[k])
-            p.diameter, p.id, p.material, p.frozen = d[k], ids[k], names[k], held[k]
-        with self._before("add_particles") as c:
+        n, particles, _names = _new_particles(position, diameter, material, velocity, spin, id, frozen)
+        with self._core_().case("add_particles") as c:
             check(lib.dem_case_add_particles(c, n, particles))
 
-    def add_wall(self, name, material, triangles):
-        """Add a wall of triangles, n x 3 x 3 [m]. Collective."""
-        corners = vectors("triangles", triangles, 3, 3)
-        name, material = text("name", name), text("material", material)
-        with self._before("add_wall") as c:
-            check(lib.dem_case_add_wall(c, name, material, len(corners),
-                                        ffi.cast("double *", corners.ctypes.data)))
-
-    def _before(self, what):
-        return self._core_().case(what)
-
-    def _core_(self):
-        if self._core is None:
-            raise SunaError("the simulation was never created; call Simulation(scene)")
-        return self._core
-
-    def _set_up(self):
-        return self._core_().run()
-
-    def value(self, path):
+    def value(self, path: str) -> str | None:
         """Text of an entry of the scene, "time/end"; None where there is none."""
-        path = text("path", path)
+        at = text("path", path)
         with self._core_().scene() as scene:
-            found = lib.dem_scene_value(scene, path)
+            found = lib.dem_scene_value(scene, at)
             return None if found == ffi.NULL else string(found)
 
-    def names(self, path=""):
+    def names(self, path: str = "") -> list[str]:
         """Names of the entries of a group of the scene"""
-        path, found = text("path", path), []
+        at, found = text("path", path), []    # type: bytes, list[str]
         with self._core_().scene() as scene:
-            while (name := lib.dem_scene_name(scene, path, len(found))) != ffi.NULL:
+            while (name := lib.dem_scene_name(scene, at, len(found))) != ffi.NULL:
                 found.append(string(name))
         return found
 
-    def setup(self):
+    def setup(self) -> Simulation:
         """Insert the particles and check all. Called by itself at first use. Collective."""
         with self._set_up():
             return self
 
     # ---- advance ---------------------------------------------------------------------------------
 
-    def advance(self, duration, progress=None, every=1.0):
-        """Advance by a duration [s]. progress(time, steps) is called once in `every` seconds; it must
-        not use the simulation. Its exceptions and Ctrl-C end the advance after a step. Collective."""
-        duration, every = number("duration", duration), number("every", every)
-        if progress is not None and not callable(progress):
-            raise SunaError(f"progress is {progress!r}; give a function of time and steps")
-        self.setup()
-        self._core.advance(duration, progress, every)
+    def advance(self, duration: float, progress: Callable[[float, int], object] | None = None,
+                interval: float = 1.0, until: Callable[[Simulation], object] | None = None,
+                every: int = 100) -> Simulation:
+        """Advance by a duration [s].
+
+        progress(time, steps) is called once in `interval` seconds of the clock; it must not use the
+        simulation. until(sim) is called each `every` steps, where positions and velocities are at one
+        time, and may use it; a true value ends the advance. Exceptions of both and Ctrl-C end the
+        advance after a step. Collective."""
+        duration, interval = number("duration", duration), number("interval", interval)
+        for name, call in (("progress", progress), ("until", until)):
+            if call is not None and not callable(call):
+                raise SunaError(f"{name} is {call!r}; give a function")
+        core = self._core_()
+        if until is None:
+            self.setup()
+            core.advance(duration, progress, interval, self._forces)
+            return self
+        every = int(whole_numbers("every", every, ()))
+        if every < 1 or not 0 < duration < float("inf"):
+            raise SunaError(f"duration is {duration:g} s, every is {every}; give a time above 0 and a "
+                            "number of steps from 1 on")
+        end, window = self.time + duration, every*self.step[0]
+        while (rest := end - self.time) > 1e-9*window and not core.any(lambda: until(self)):
+            core.advance(rest if rest < 1.001*window else window, progress, interval, self._forces)
         return self
 
-    # ---- particles -------------------------------------------------------------------------------
+    def add_force(self, function: Callable[[Forces], object]) -> Callable[[Forces], object]:
+        """Let a function give forces from now on; also as a decorator:
 
-    @contextmanager
-    def _view(self):
-        view = ffi.new("struct dem_view *")
-        with self._set_up() as d:
-            lib.dem_view(d, view)
-            yield view
+            @sim.add_force
+            def trap(p):
+                p.force -= 0.1*p.position
 
-    def _column(self, name, width=1, strided=True):
-        with self._view() as view:
-            return column(getattr(view, name), view.n, width, view.stride if strided else None)
+        It is called on each rank in each step, after the particles have moved, and at the begin of an
+        advance, with suna.Forces. What it gives must depend on each particle alone for the same bits on
+        any ranks. An exception ends the advance on all ranks and puts back the state before it."""
+        if not callable(function):
+            raise SunaError(f"the force is {function!r}; give a function of the particles")
+        self._core_()
+        self._forces.append(function)
+        return function
 
-    @property
-    def position(self):
-        """n x 3 [m]"""
-        return self._column("position", 3)
-
-    @property
-    def velocity(self):
-        """n x 3 [m/s]"""
-        return self._column("velocity", 3)
-
-    @property
-    def spin(self):
-        """n x 3 [1/s]"""
-        return self._column("spin", 3)
-
-    @property
-    def radius(self):
-        """[m]"""
-        return self._column("radius")
-
-    @property
-    def mass(self):
-        """[kg]"""
-        return self._column("mass")
-
-    @property
-    def id(self):
-        return self._column("id")
-
-    @property
-    def frozen(self):
-        return (self._column("flags") & 1).astype(bool)
-
-    @property
-    def force(self):
-        """of contacts, n x 3 [N]"""
-        return self._column("force", 3, False)
-
-    @property
-    def torque(self):
-        """of contacts, n x 3 [N m]"""
-        return self._column("torque", 3, False)
-
-    @property
-    def orientation(self):
-        """unit quaternions, n x 4; needs Simulation(..., orientation=True)"""
-        with self._view() as view:
-            if view.n and view.orientation == ffi.NULL:
-                raise SunaError("orientations are not kept; create Simulation(..., orientation=True)")
-            return column(view.orientation, view.n, 4)
-
-    @property
-    def scalars(self):
-        """names of the particle scalars that the effects of the scene declare"""
-        with self._set_up() as d:
-            return [string(self._scalar_info(d, k).name) for k in range(lib.dem_scalar_count(d))]
-
-    @staticmethod
-    def _scalar_info(d, k):
-        info = ffi.new("struct dem_scalar_info *")
-        lib.dem_scalar_info(d, k, info)
-        return info
-
-    def _scalar_number(self, d, name):
-        k = lib.dem_scalar_index(d, text("the particle scalar", name))
-        if k < 0:
-            raise SunaError(f"no effect of the scene has the particle scalar {name}; it has "
-                            + (", ".join(self.scalars) or "none"))
-        return k
-
-    def scalar(self, name):
-        """a particle scalar, e.g. "temperature" """
-        with self._view() as view, self._set_up() as d:
-            return column(lib.dem_scalar(d, self._scalar_number(d, name)), view.n)
-
-    def set_scalar(self, name, values):
-        """Set a particle scalar between two advances: one value for all, or one for each."""
-        with self._view() as view, self._set_up() as d:
-            k = self._scalar_number(d, name)
-            info, given = self._scalar_info(d, k), numbers(name, values, view.n)
-            wrong = given[~((given >= info.min) & (given <= info.max) & numpy.isfinite(given))]
-            if len(wrong):
-                raise SunaError(f"{name} {wrong[0]:g} {string(info.unit)}; give a number from "
-                                f"{info.min:g} to {info.max:g}")
-            if view.n:
-                numpy.frombuffer(ffi.buffer(lib.dem_scalar(d, k), 8*view.n))[:] = given
-
-    @property
-    def material(self):
-        """names"""
-        with self._set_up() as d:
-            found = self._column("material")
-            names = {k: string(lib.dem_material_name(d, int(k))) for k in numpy.unique(found)}
-        return numpy.array([names[k] for k in found], object)
-
-    def __len__(self):
-        with self._view() as view:
-            return view.n
+    def remove_force(self, function: Callable[[Forces], object]) -> None:
+        """End a force of add_force."""
+        if function not in self._forces:
+            raise SunaError(f"{function!r} is no force of the simulation")
+        self._forces.remove(function)
 
     # ---- queries ---------------------------------------------------------------------------------
 
     @property
-    def totals(self):
+    def totals(self) -> dict[str, Any]:
         """Sums over all particles and contacts, as a dict. Collective; resets largest_overlap."""
         totals = ffi.new("struct dem_totals *")
         with self._set_up() as d:
@@ -333,19 +181,19 @@ class Simulation:
                                     for name, _ in ffi.typeof("struct dem_totals").fields)}
 
     @property
-    def time(self):
+    def time(self) -> float:
         """[s]. Collective."""
         return self.totals["time"]
 
     @property
-    def step(self):
+    def step(self) -> tuple[float, float, str]:
         """The time step in use [s], its limit [s], and what sets that"""
         with self._set_up() as d:
             step = lib.dem_step_limit(d)
         return step.used, step.limit, string(step.why)
 
     @property
-    def energy(self):
+    def energy(self) -> dict[str, float]:
         """Terms of the energy balance [J], as a dict; needs energy=True. Collective."""
         since, n = ffi.new("double *"), ffi.new("int *")
         item = ffi.new("struct dem_energy_item **")
@@ -354,7 +202,7 @@ class Simulation:
             return {string(item[0][k].name): item[0][k].value for k in range(n[0])}
 
     @property
-    def hash(self):
+    def hash(self) -> str:
         """64 bits of particles and history of contacts, the same on any ranks. Collective."""
         value = ffi.new("uint64_t *")
         with self._set_up() as d:
@@ -362,39 +210,47 @@ class Simulation:
         return f"{value[0]:016x}"
 
     @property
-    def effects(self):
+    def effects(self) -> list[str]:
         """Names of the active effects"""
         with self._set_up() as d:
             return string(lib.dem_effect_names(d)).split()
 
+    def wall(self, name: str) -> Wall:
+        """The wall of this name"""
+        text("name", name)
+        found = self.walls
+        if name not in found:
+            raise SunaError(f"there is no wall {name!r}; the scene has " + (", ".join(found) or "none"))
+        return found[name]
+
     @property
-    def walls(self):
+    def walls(self) -> dict[str, Wall]:
         """Walls by name"""
         with self._set_up() as d:
             names = [string(lib.dem_wall_name(d, k)) for k in range(lib.dem_wall_count(d))]
-        return {name: Wall(self, k, name) for k, name in enumerate(names)}
+        return {name: Wall(self, name) for name in names}
 
-    def reset_impulses(self):
+    def reset_impulses(self) -> None:
         """Start the sums of Wall.impulse anew."""
         with self._set_up() as d:
             check(lib.dem_wall_impulse_reset(d))
 
     @property
-    def bonds(self):
+    def bonds(self) -> dict[str, NDArray]:
         """Intact bonds of this rank: a dict of arrays"""
         n, bond = ffi.new("int64_t *"), ffi.new("struct dem_bond **")
         with self._set_up() as d:
             check(lib.dem_bonds(d, n, bond))
             return _arrays(bond[0], n[0], ("id", "position", "branch", "force", "moment", "stored"))
 
-    def broken_bonds(self):
+    def broken_bonds(self) -> dict[str, NDArray]:
         """Bonds that broke since the last call: a dict of arrays. Collective."""
         n, bond = ffi.new("int64_t *"), ffi.new("struct dem_broken_bond **")
         with self._set_up() as d:
             check(lib.dem_broken_bonds(d, n, bond))
             return _arrays(bond[0], n[0], ("id", "time", "position", "energy", "cause"))
 
-    def lost(self):
+    def lost(self) -> dict[str, Any]:
         """Particles that left the domain or crossed a wall since the last call: a dict of arrays.
         Collective."""
         n, loss = ffi.new("int64_t *"), ffi.new("struct dem_loss **")
@@ -406,7 +262,7 @@ class Simulation:
         return found
 
     @property
-    def flows(self):
+    def flows(self) -> list[dict[str, Any]]:
         """Streams and outlets: a list of dicts"""
         n, flow = ffi.new("int *"), ffi.new("struct dem_flow **")
         with self._set_up() as d:
@@ -417,7 +273,7 @@ class Simulation:
                     for f in (flow[0][k] for k in range(n[0]))]
 
     @property
-    def virial(self):
+    def virial(self) -> NDArray[numpy.float64]:
         """Contact stress times volume of each particle [J], n x 6: xx yy zz xy yz zx, tension positive.
         Needs Simulation(..., virial=True)."""
         with self._view() as view, self._set_up() as d:
@@ -425,7 +281,7 @@ class Simulation:
             check(lib.dem_virial(d, ffi.from_buffer("double[]", values)))
         return values
 
-    def total(self, name):
+    def total(self, name: str) -> float:
         """The sum over all particles of capacity times the particle scalar, e.g. the heat of
         "temperature" above 0 K [J]. Collective."""
         value = ffi.new("double *")
@@ -433,23 +289,22 @@ class Simulation:
             check(lib.dem_scalar_total(d, self._scalar_number(d, name), value))
         return value[0]
 
-    def averages(self, folder):
+    def averages(self, folder: File) -> None:
         """Write NAME.csv and NAME.vti of each grid of the scene's `averages` that has samples into
         the folder, which must exist. Particle scalars have columns, too. Collective."""
-        folder = file_name("folder", folder)
         with self._set_up() as d:
-            check(lib.dem_averages(d, folder))
+            check(lib.dem_averages(d, file_name("folder", folder)))
 
-    def profile(self):
+    def profile(self) -> str:
         """Where the time of the run since the first step went, as text. Collective."""
         return self._text(lib.dem_profile_text)
 
-    def warnings(self, duration):
+    def warnings(self, duration: float) -> str:
         """What of the scene is likely to be a mistake in a run of this duration [s], as text; "" when
         there is nothing. Collective."""
         return self._text(lib.dem_warnings, _run(duration), 0, ffi.NULL)
 
-    def plan(self, duration):
+    def plan(self, duration: float) -> str:
         """The plan of a run of this duration [s] as text: effects, steps, memory, time. Collective."""
         return self._text(lib.dem_plan, _run(duration))
 
@@ -460,45 +315,24 @@ class Simulation:
             check(call(d, *arguments, ffi.cast("const char **", found)))
             return string(found[0])
 
-    # ---- files, pictures -------------------------------------------------------------------------
-
-    def save(self, path):
+    def save(self, path: File) -> None:
         """Write a snapshot. Collective."""
-        path = file_name("path", path)
         with self._set_up() as d:
-            check(lib.dem_save(d, path))
+            check(lib.dem_save(d, file_name("path", path)))
 
-    def to_vtk(self, path):
-        """Write the particles of this rank for ParaView (.vtp), with the names of the program's files:
-        id, material, diameter, velocity, spin, force, and the particle scalars."""
-        write_vtp(os.fsdecode(file_name("path", path)), {
-            "points": self.position, "id": self.id,
-            "material": self._column("material").astype(numpy.int64), "diameter": 2*self.radius,
-            "velocity": self.velocity, "spin": self.spin, "force": self.force,
-            **{name: self.scalar(name) for name in self.scalars}})
+    def _repr_html_(self) -> str:
+        """A table for notebooks. Collective."""
+        if self._core is None or not self._core.started or self._core.closed:
+            return f"<p>{html.escape(repr(self))}</p>"
+        t, n = self.totals, "\u2009"
+        rows = {"particles": t["particles"], "contacts": t["contacts"], "time": f"{t['time']:.6g}{n}s",
+                "time step": f"{self.step[0]:.3g}{n}s ({self.step[2]})", "mass": f"{t['mass']:.6g}{n}kg",
+                "kinetic energy": f"{t['kinetic']:.3g}{n}J", "walls": ", ".join(self.walls),
+                "effects": ", ".join(self.effects)}
+        return "<table>" + "".join(f"<tr><th>{name}</th><td>{html.escape(str(value))}</td></tr>"
+                                   for name, value in rows.items()) + "</table>"
 
-    def plot(self, axes=None, colour=None, plane="xz"):
-        """Draw the particles as circles with matplotlib; `colour`: a number for each, else the
-        speed. Returns the axes."""
-        if not isinstance(plane, str) or len(plane) != 2 or not set(plane) < set("xyz"):
-            raise SunaError(f"plane is {plane!r}; give two of the letters x, y, z, as in \"xz\"")
-        import matplotlib.pyplot as plt
-        from matplotlib.collections import EllipseCollection
-        axes = axes or plt.gca()
-        across, up = ("xyz".index(letter) for letter in plane)
-        depth = 3 - across - up
-        order = numpy.argsort(-self.position[:, depth])
-        d = 2*self.radius[order]
-        values = (numpy.linalg.norm(self.velocity, axis=1) if colour is None
-                  else numbers("colour", colour, len(order)))
-        axes.add_collection(EllipseCollection(
-            d, d, numpy.zeros_like(d), units="xy", offsets=self.position[order][:, [across, up]],
-            offset_transform=axes.transData, array=values[order], cmap="cividis", ec="k", lw=0.2))
-        axes.autoscale_view()
-        axes.set(aspect="equal", xlabel=f"{plane[0]} [m]", ylabel=f"{plane[1]} [m]")
-        return axes
-
-    def __repr__(self):
+    def __repr__(self) -> str:
         if self._core is None or self._core.closed:
             return "Simulation(closed)"
         if not self._core.started:
@@ -506,6 +340,43 @@ class Simulation:
         t = self.totals
         return (f"Simulation({t['particles']} particles, {len(self.walls)} walls, "
                 f"t = {t['time']:.6g} s, {' '.join(self.effects)})")
+
+
+def _reader(scene):
+    """What reads the scene into a case, also when it goes on with other entries later."""
+    given = text("scene", as_scene(scene)) if isinstance(scene, dict) else file_name("scene", scene)
+    if isinstance(scene, dict) or b"{" in given or b";" in given:
+        return lambda c: check(lib.dem_case_scene_text(c, given, b"scene"))
+    path = os.path.abspath(given)
+    known = []
+
+    def read(c):
+        check(lib.dem_case_scene_file(c, path if known else given))
+        with open(path, "rb") as file:
+            content = file.read()
+        if known and known[0] != content:
+            raise SunaError(f"{os.fsdecode(path)} has been edited since the simulation read it; save a "
+                            "snapshot and start from it with the new scene")
+        known[:] = [content]
+
+    return read
+
+
+def _override(settings):
+    if not isinstance(settings, (dict, type(None))):
+        raise SunaError(f"settings is {settings!r}; give a dict, {{\"time/step\": 1e-6}}")
+    entries = [(text("a name in settings", entry), text(entry, as_text(f"settings, {entry}", value)))
+               for entry, value in (settings or {}).items()]
+    return lambda c: [check(lib.dem_case_set(c, *entry)) for entry in entries]
+
+
+def _options(c, without, wanted):
+    for entry in PROGRAM:
+        lib.dem_scene_skip(lib.dem_case_dict(c), entry.encode())
+    if without is not None:
+        check(lib.dem_case_remove_effect(c, without))
+    for call in wanted:
+        check(call(c))
 
 
 def _run(duration):

@@ -55,17 +55,22 @@ LONG = (1, 3, 5, 7, 2**31, 0.5)
 GOOD = {"position": [[0.5, 0.5, 0.5], numpy.random.default_rng(1).random((5, 3)), [0, 0, 0.1]], "diameter": [1e-3, 2e-3],
         "material": ["glass"], "velocity": [0.0, [0, 0, -1]], "spin": [0.0, [9, 0, 0]], "id": [None, 1000, range(2000, 2005)],
         "frozen": [False, True], "name": ["w", "temperature", "floor"], "triangles": [numpy.eye(3), numpy.ones((2, 3, 3))],
-        "duration": [1e-5, 1e-4, 1e-3], "progress": [None, fault, lambda *_: None], "every": [0, 0.001], "path": ["out", "x.dem"],
+        "duration": [1e-5, 1e-4, 1e-3], "progress": [None, fault, lambda *_: None], "interval": [0, 0.001], "until": [None, None, fault, lambda s: s.time > 1e-4], "every": [1, 10, 100], "path": ["out", "x.dem"],
         "folder": [".", "nowhere"], "values": [300, [300]*8], "scene": SCENES, "settings": [None, {"time/step": 5e-6}],
         "start": [None], "comm": [None], "energy": [False, True], "orientation": [False, True], "virial": [False, True],
-        "without": [None, "dry"]}
+        "without": [None, "dry"], "ids": [0, [1, 2], range(3), []], "smallest": [1e-3, 5e-4], "largest": [1e-3, 3e-3],
+        "entries": [{"effects/dry/restitution": 0.9}, {"walls/floor": None}, {"time/step": 5e-6}, {"walls/floor/motion":
+                    {"type": "translation", "velocity": (0, 0, -1)}}], "function": [fault, lambda p: setattr(p, "force", 1e-6)]}
 TAKES = {"add_particles": ("position", "diameter", "material", "velocity", "spin", "id", "frozen"),
          "add_wall": ("name", "material", "triangles"), "value": ("path",), "names": ("path",),
-         "advance": ("duration", "progress", "every"), "scalar": ("name",), "set_scalar": ("name", "values"),
+         "advance": ("duration", "progress", "interval", "until", "every"), "scalar": ("name",), "set_scalar": ("name", "values"),
          "total": ("name",), "averages": ("folder",), "warnings": ("duration",), "plan": ("duration",), "save": ("path",),
-         "to_vtk": ("path",)}
+         "to_vtk": ("path",), "add": ("position", "diameter", "material", "velocity", "spin", "id", "frozen"),
+         "remove": ("ids",), "set": ("ids", "position", "velocity", "spin", "frozen"), "change": ("entries",),
+         "wall": ("name",), "allow_diameters": ("material", "smallest", "largest"), "add_force": ("function",),
+         "remove_force": ("function",)}
 NEW = ("scene", "settings", "start", "comm", "energy", "orientation", "virial", "without")
-USES = [name for name in dir(suna.Simulation) if not name.startswith("_") and name != "plot"]
+USES = [name for name in dir(suna.Simulation) if not name.startswith("_") and name not in ("plot", "to_pyvista")]
 READERS = (suna.read_table, suna.read_vtp, suna.read_snapshot, lambda path: list(suna.read_record(path)))
 
 
@@ -86,7 +91,7 @@ def create():
 def use(sim):
     """A call of the simulation; what it returns is read."""
     name = random.choice(USES)
-    if name in ("plan", "close") and random.random() < 0.8:    # the one is slow, the other final
+    if name in ("plan", "close", "change", "allow_diameters", "add_wall") and random.random() < 0.8:    # the one is slow, the other final
         name = "advance"
     if isinstance(getattr(suna.Simulation, name), property):
         value = getattr(sim, name)
@@ -94,6 +99,9 @@ def use(sim):
         odd = random.choice((0, 0, 0.2, 0.5))
         given = {k: argument(k, odd) for k in TAKES.get(name, ())}
         value = getattr(sim, name)(**given)
+    if name == "view":
+        with value as p:
+            value = [getattr(p, random.choice(("position", "id", "force"))), use(sim)][0]
     if name == "walls":
         value = [(wall.load, wall.corners, wall.name) for wall in value.values()]
     return value

@@ -21,7 +21,7 @@ def fault(*_):
 def outcome(sim, duration):
     """What the advance raises on this rank; the last one has a progress function."""
     try:
-        sim.advance(duration, fault if world.rank == world.size - 1 else None, every=0)
+        sim.advance(duration, fault if world.rank == world.size - 1 else None, interval=0)
     except (Fault, suna.SunaError) as error:
         return f"{type(error).__name__} {error}"
     return "nothing"

@@ -127,7 +127,7 @@ def callbacks():
             raise kind("halt")
         sim = suna.Simulation(SCENE)
         try:
-            sim.advance(0.01, progress, every=0)
+            sim.advance(0.01, progress, interval=0)
             raise AssertionError("nothing was raised")
         except kind as error:
             assert str(error) == "halt"
@@ -137,7 +137,7 @@ def callbacks():
     sim = suna.Simulation(SCENE)
     for call in (lambda *_: sim.position, lambda *_: sim.advance(1), lambda *_: sim.close(),
                  lambda *_: sim.walls):
-        refused(lambda: sim.advance(0.01, call, every=0), "advancing", "progress")
+        refused(lambda: sim.advance(0.01, call, interval=0), "advancing", "progress")
     refused(lambda: sim.advance(0.01, "progress"), "progress", "function")
     sim.advance(1e-4)
 
@@ -147,9 +147,14 @@ def every_use(sim):
     arguments = {"add_particles": ([0, 0, 0], 1e-3, "glass"), "add_wall": ("w", "glass", numpy.eye(3)),
                  "value": ("time/end",), "advance": (1e-6,), "scalar": ("temperature",),
                  "set_scalar": ("temperature", 1), "total": ("temperature",), "averages": (".",),
-                 "warnings": (1,), "plan": (1,), "save": ("x",), "to_vtk": ("x.vtp",)}
+                 "warnings": (1,), "plan": (1,), "save": ("x",), "to_vtk": ("x.vtp",),
+                 "add": ([0, 0, 0], 1e-3, "glass"), "remove": ([1],), "set": ([1],), "change": ({},),
+                 "allow_diameters": ("glass", 1e-3, 1e-3), "wall": ("floor",)}
     for name in dir(suna.Simulation):
-        if name.startswith("_") or name == "close":
+        if name.startswith("_") or name in ("close", "add_force", "remove_force", "to_pyvista"):
+            continue
+        if name == "view":
+            yield name, lambda: sim.view().__enter__()
             continue
         if isinstance(getattr(suna.Simulation, name), property):
             yield name, lambda: getattr(sim, name)
@@ -187,7 +192,7 @@ def threads():
 
     def advance():
         try:
-            sim.advance(1e3, progress, every=0)
+            sim.advance(1e3, progress, interval=0)
         except Fault:
             pass
 
@@ -240,7 +245,7 @@ def arguments():
     sim = suna.Simulation(SCENE)
     for value in ("1", None, True, [1, 2], numpy.nan, -1, 0, numpy.inf, 1j, 10**400):
         refused(lambda: sim.advance(value), "duration")
-    refused(lambda: sim.advance(1e-6, print, every="often"), "every")
+    refused(lambda: sim.advance(1e-6, print, interval="often"), "interval")
     for value in ("x", None, True):
         refused(lambda: sim.plan(value), "duration")
         refused(lambda: sim.warnings(value), "duration")
@@ -264,7 +269,7 @@ def texts():
     for name in ("settings", "start", "comm", "energy", "orientation", "virial", "without"):
         for value in ("x\0y", 5, object()):
             refused(lambda: suna.Simulation(SCENE, **{name: value}).setup(), name)
-    refused(lambda: suna.Simulation(SCENE, {"time": {"step": 1e-6}}), "time")
+    assert suna.Simulation(SCENE, {"time": {"step": 1e-6}}).step[0] == 1e-6
     refused(lambda: suna.Simulation(SCENE, {5: 1}), "settings", "5")
     refused(lambda: suna.Simulation(SCENE, energy="no"), "energy", "True or False")
     refused(lambda: sim.orientation, "orientation=True")

@@ -205,7 +205,7 @@ def progress():
     """a callback is called while it advances"""
     calls = []
     sim = suna.Simulation(SCENE)
-    sim.advance(0.05, progress=lambda time, steps: calls.append((time, steps)), every=0.01)
+    sim.advance(0.05, progress=lambda time, steps: calls.append((time, steps)), interval=0.01)
     assert calls and 0 < calls[-1][0] <= 0.05 and calls[-1][1] > 0
 
 

@@ -1,0 +1,79 @@
+"""walls.py -- a wall of a simulation: load, impulse, corners, motion.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+from typing import Any, Mapping
+
+import numpy
+from numpy.typing import NDArray
+
+from ._arguments import SunaError
+from ._core import check, string
+from ._library import ffi, lib
+
+
+class Wall:
+    """A wall of the scene; its forces are exerted by the particles."""
+
+    def __init__(self, simulation, name):
+        self._simulation, self.name = simulation, name
+
+    def _number(self, d):
+        for k in range(lib.dem_wall_count(d)):
+            if string(lib.dem_wall_name(d, k)) == self.name:
+                return k
+        raise SunaError(f"the simulation has no wall {self.name} any more")
+
+    def _pair(self, call):
+        one, other = ffi.new("double[3]"), ffi.new("double[3]")
+        with self._simulation._set_up() as d:
+            check(call(d, self._number(d), one, other))
+        return numpy.array(list(one)), numpy.array(list(other))
+
+    @property
+    def load(self) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64]]:
+        """Present force [N] and torque about the origin [N m]. Collective."""
+        return self._pair(lib.dem_wall_load)
+
+    @property
+    def force(self) -> NDArray[numpy.float64]:
+        """Present force [N]. Collective."""
+        return self.load[0]
+
+    @property
+    def impulse(self) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64]]:
+        """Impulse [N s] and its moment about the origin [N m s] since reset_impulses. Collective."""
+        return self._pair(lib.dem_wall_impulse)
+
+    @property
+    def corners(self) -> NDArray[numpy.float64]:
+        """Corners of its triangles, n x 3 x 3 [m], on the first rank; none of planes, cylinders,
+        spheres. Collective."""
+        info = ffi.new("struct dem_wall_info *")
+        with self._simulation._set_up() as d:
+            number = self._number(d)
+            lib.dem_wall_info(d, number, info)
+            corners = numpy.empty((info.triangles, 3, 3))
+            check(lib.dem_wall_corners(d, number, ffi.cast("double *", corners.ctypes.data)))
+        return corners
+
+    @property
+    def motion(self) -> Mapping[str, Any]:
+        """Its motion as a dict of texts, {} at rest. Set it to a dict of scene entries, or None; the wall
+        goes on from where it stands. Collective."""
+        path = f"walls/{self.name}/motion"
+        return {name: self._simulation.value(f"{path}/{name}") for name in self._simulation.names(path)}
+
+    @motion.setter
+    def motion(self, entries: Mapping[str, Any] | None) -> None:
+        if entries or self.motion:
+            self._simulation.change({f"walls/{self.name}/motion": entries or None})
+
+    def remove(self) -> None:
+        """Remove the wall. Collective."""
+        self._simulation.change({f"walls/{self.name}": None})
+
+    def __repr__(self):
+        return f"Wall({self.name!r})"

@@ -1,0 +1,61 @@
+"""ranks_live.py -- edits, forces and changes of the scene with a communicator of mpi4py: the first rank
+prints the hashes. With more than one rank an exception on one ends the call on all.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import numpy
+from mpi4py import MPI
+
+import suna
+from test_live import SCENE
+
+world = MPI.COMM_WORLD
+sim = suna.Simulation(SCENE, comm=world, energy=True)
+found = []
+sim.advance(0.05)
+sim.remove(range(0, 300, 7))
+ids = sim.add([[0.02, 0.001*k, 0.01*k] for k in range(1, 15)], 1e-3, "glass", velocity=(0, 0, 1))
+sim.set([1, 2, *ids[:2]], velocity=[0, 0, 0.5])
+sim.set([4], position=[0, 0, 0.05])
+found += [sim.hash, sim.energy["edited"]]
+sim.advance(0.02)
+
+
+@sim.add_force
+def swirl(p):
+    p.force += 1e-4*numpy.stack((-p.position[:, 1], p.position[:, 0], 0*p.mass), axis=1)
+
+
+sim.advance(0.02, until=lambda s: s.totals["kinetic"] < 0, every=30)
+sim.wall("floor").motion = {"type": "translation", "velocity": (0, 0, 0.01)}
+sim.change({"effects/mindlin/friction": 0.1})
+sim.advance(0.02)
+found += [sim.hash, sim.energy["residual"], world.allreduce(len(sim)), list(ids)]
+
+
+def fails(call, kind):
+    """On the last rank with this exception, on others with a SunaError."""
+    try:
+        call()
+    except (kind if world.rank == world.size - 1 else suna.SunaError):
+        return
+    raise AssertionError("nothing was raised")
+
+
+def fault(_):
+    if world.rank == world.size - 1:
+        raise ZeroDivisionError
+
+
+before = sim.hash
+sim.add_force(fault)
+fails(lambda: sim.advance(1e-3), ZeroDivisionError)
+assert sim.hash == before
+sim.remove_force(fault)
+fails(lambda: sim.advance(1e-3, until=fault), ZeroDivisionError)
+fails(lambda: sim.remove([5000]), suna.SunaError)
+fails(lambda: sim.change({"effects/dry/restitution": 2}), suna.SunaError)
+assert sim.hash == before
+if world.rank == 0:
+    print(*found)
+sim.close()
