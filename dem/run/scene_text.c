@@ -105,7 +105,8 @@ static void write_rolling(struct dem_text *t, const struct dem *d, int64_t parti
     double g[3];
 
     dem_interaction_table_gravity(r, g);
-    if (friction >= rough && dem_vec_norm(g) > 0.0 && d->state.walls.walls > 0 && particles > 1)
+    if (friction >= rough && dem_vec_norm(g) > 0.0 && d->state.walls.walls > 0 && particles > 1 &&
+        d->scene.shapes.n == 0)
     {
         dem_text_add(t,
                      "    no rolling resistance at a friction of %g: spheres roll where the shape "
