@@ -238,6 +238,17 @@ def walls():
     refused(lambda: sim.wall("gate"), "gate", "box")
 
 
+def loads():
+    """a wall becomes a servo and its force changes between advances: it holds each"""
+    sim = suna.Simulation(SCENE.replace("walls {", "walls { lid { type plane; material glass; point (0 0 0.035); normal (0 0 -1); }"),
+                          {"effects/dry/restitution": 0.3})
+    sim.advance(0.1)
+    for force in (0.02, 0.05):
+        sim.wall("lid").motion = {"type": "servo", "force": force, "maxSpeed": 0.2}
+        sim.advance(0.25)
+        assert abs(sim.wall("lid").force[2]/force - 1) < 0.03, sim.wall("lid").force
+
+
 def entries():
     """an entry of the scene changes: the law acts from then on; what the start refuses changes nothing"""
     sim = suna.Simulation(PHYSICS, {"effects/mindlin/friction": 0.0}, energy=True)
@@ -431,5 +442,5 @@ def tables():
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
     run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, diameters,
-              walls, entries, forces, force_faults, until, views, tables)
+              walls, loads, entries, forces, force_faults, until, views, tables)
     finish()
