@@ -38,7 +38,7 @@ LOST = {                        # output that no entry of the scene writes: what
 LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
            ("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
            ("chem/", "Suna has no chemistry"), ("multisphere", "clumps are not translated: write shapes"),
-           ("particletemplate/", "only spheres are translated"),
+           ("particletemplate/", "spheres only are translated"),
            ("nve/", "Suna has spheres, integrated by themselves"),
            ("sph/", "Suna has no smoothed particle hydrodynamics"),
            ("wall/sph", "Suna has no smoothed particle hydrodynamics"),
