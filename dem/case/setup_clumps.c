@@ -41,6 +41,7 @@ static int refuse_entries(const struct dem_case *c)
         {"parcels", d->state.interaction_table.parcels.used},
         {"a particle scalar", d->state.interaction_table.scalars > 0},
         {"forces", d->state.applied_forces.n > 0},
+        {"fluid", d->scene.fluid.given},
         {"averages", d->scene.averages > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"stresses of particles", c->virial},
@@ -110,6 +111,9 @@ int dem_api_begin_clumps(struct dem *d)
     for (size_t i = 0; i < p->particles.n && column; i++)
     {
         DEM_TRY(check_body(&p->particles, i));
+        DEM_TRY(dem_clump_of(&p->particles, i)
+                    ? dem_clump_check_spin(dem_clump_of(&p->particles, i), &p->particles.record[i], d->step)
+                    : DEM_OK);
     }
     for (size_t i = 0; i < p->particles.n && !column; i++)
     {

@@ -137,19 +137,21 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 {
     struct dem_sum sum[SUMS] = {0};
     double value[SUMS], g[3];
-    int64_t count[2] = {(int64_t)p->particles.n, dem_totals_touching(p)};
+    int64_t count[3] = {(int64_t)p->particles.n, dem_totals_touching(p), 0};
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
         add_particle(sum, p, i);
+        count[2] += p->particles.record[i].body == p->particles.record[i].id + 1;
     }
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_interaction_table_gravity(&p->interaction_table, g);
-    dem_collect_sum_int64(&p->decomposition, count, 2);
+    dem_collect_sum_int64(&p->decomposition, count, 3);
     dem_collect_max_double(&p->decomposition, &p->limits.overlap, 1);
     *t = (struct dem_totals){.particles = count[0],
                              .steps = p->steps,
                              .contacts = count[1],
+                             .clumps = count[2],
                              .rebuilds = p->rebuilds,
                              .prunes = p->prunes,
                              .time = p->time,
