@@ -86,8 +86,8 @@ int dem_api_check_clumps(const struct dem_case *c)
     return s->n > 0 ? refuse_entries(c) : DEM_OK;
 }
 
-/* A snapshot may be damaged. */
-static int check_body(const struct dem_particles *p, size_t i)
+/* A snapshot may be damaged; a spin may be too large for the step. */
+static int check_body(const struct dem_particles *p, size_t i, double step)
 {
     const struct dem_clump *const b = dem_clump_of(p, i);
 
@@ -98,7 +98,7 @@ static int check_body(const struct dem_particles *p, size_t i)
                 DEM_ERROR_FILE,
                 "particle %lld belongs to a clump without mass or orientation: the snapshot is damaged; "
                 "use another one", (long long)p->record[i].id);
-    return DEM_OK;
+    return b ? dem_clump_check_spin(b, &p->record[i], step, DEM_ERROR_INPUT) : DEM_OK;
 }
 
 /* Bodies of a snapshot come with their state, and need the column of it. */
@@ -110,10 +110,7 @@ int dem_api_begin_clumps(struct dem *d)
 
     for (size_t i = 0; i < p->particles.n && column; i++)
     {
-        DEM_TRY(check_body(&p->particles, i));
-        DEM_TRY(dem_clump_of(&p->particles, i)
-                    ? dem_clump_check_spin(dem_clump_of(&p->particles, i), &p->particles.record[i], d->step)
-                    : DEM_OK);
+        DEM_TRY(check_body(&p->particles, i, d->step));
     }
     for (size_t i = 0; i < p->particles.n && !column; i++)
     {

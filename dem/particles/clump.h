@@ -94,8 +94,8 @@ void dem_clump_spin(const struct dem_clump *, double w[3]);
 /* rad  in a step, by which a clump turns at most */
 #define DEM_CLUMP_MAX_TURN 0.3
 
-/* DEM_ERROR_NUMBER when the clump of this sphere turns further in a step of dt [s]. */
-int dem_clump_check_spin(const struct dem_clump *, const struct dem_particle *, double dt);
+/* `error` when the clump of this sphere turns further in a step of dt [s]. */
+int dem_clump_check_spin(const struct dem_clump *, const struct dem_particle *, double dt, int error);
 
 /* What a particle adds to sums over all of them: a single sphere its own, the first sphere of a body
    the body's, the others nothing. */

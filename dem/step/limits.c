@@ -161,7 +161,7 @@ static int check_turns(const struct dem_state *state)
         const uint32_t i = state->clumps.member[state->clumps.start[k]];
 
         DEM_TRY(dem_clump_check_spin(dem_clump_at(&state->particles, i), &state->particles.record[i],
-                                     state->dt));
+                                     state->dt, DEM_ERROR_NUMBER));
     }
     return DEM_OK;
 }

@@ -283,7 +283,11 @@ static void test_refusals(void)
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } walls { w { type plane; material glass; point (0 "
          "0 0); normal (1 0 0); } }", "wall w"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } outlets { o { point (0 0 0); normal (1 0 0); } }",
-         "outlets"}};
+         "outlets"},
+        {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } insert { a { type list; diameter 0.1; frozen yes; "
+         "positions ((0 0 0.5)); } }", "frozen or driven"},
+        {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } insert { a { type list; diameter 0.1; driven yes; "
+         "positions ((0 0 0.5)); } }", "frozen or driven"}};
 
     for (size_t k = 0; k < sizeof cases/sizeof *cases; k++)
     {
