@@ -195,20 +195,22 @@ static int read_hinge(const struct dem_dict *dict, struct dem_wall_body *b)
 
 /* ---- servo ----------------------------------------------------------------------------------- */
 
-/* A servo presses along its axis. */
+/* A servo presses along its axis; a table may begin and end with 0. */
 static int check_target(const struct dem_dict *dict, const char *name, const char *unit,
                         const struct dem_wall_body *b)
 {
+    double most = b->table ? 0.0 : b->force[0];
+
     for (size_t k = 0; b->table && k < b->table->rows; k++)
     {
-        DEM_REQUIRE(b->table->row[k].value[0] > 0.0, DEM_ERROR_INPUT,
+        most = fmax(most, b->table->row[k].value[0]);
+        DEM_REQUIRE(b->table->row[k].value[0] >= 0.0, DEM_ERROR_INPUT,
                     "%s: %s %g %s at time %g s of the table; a servo presses along its axis: give numbers "
                     "above 0, or turn the axis", dem_dict_where(dict), name, b->table->row[k].value[0], unit,
                     b->table->row[k].time);
     }
-    DEM_REQUIRE(b->table || b->force[0] > 0.0, DEM_ERROR_INPUT,
-                "%s: %s %g %s; a servo presses along its axis: give a number above 0, or turn the axis",
-                dem_dict_where(dict), name, b->force[0], unit);
+    DEM_REQUIRE(most > 0.0, DEM_ERROR_INPUT, "%s: %s %g %s; a servo presses along its axis: give a "
+                "number above 0, or turn the axis", dem_dict_where(dict), name, most, unit);
     return DEM_OK;
 }
 
