@@ -168,9 +168,9 @@ static int check_inertia(const struct dem_dict *dict, const struct dem_wall_body
     const double least = b->weighs*dem_vec_dot(across, across);
 
     DEM_REQUIRE(b->mass >= least*(1.0 - rounded), DEM_ERROR_INPUT,
-                "%s: inertia %g kg m2 about the axis, but mass %g kg with its centre %g m from the axis has "
-                "at least %g kg m2; give that or more", dem_dict_where(dict), b->mass, b->weighs,
-                dem_vec_norm(across), least);
+                "%s: %s: inertia %g kg m2 about the axis, but mass %g kg with its centre %g m from the axis has "
+                "at least %g kg m2; give that or more, or correct origin, axis and centre", dem_dict_where(dict),
+                dem_dict_path(dict), b->mass, b->weighs, dem_vec_norm(across), least);
     return DEM_OK;
 }
 
