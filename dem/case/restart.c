@@ -12,6 +12,7 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "input/dictionary.h"
+#include "records/wall_wear.h"
 #include "sources/residence.h"
 #include <stdio.h>
 #include <string.h>
@@ -49,7 +50,7 @@ static void add_marks(const struct dem *d, struct dem_text *t)
     for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
     {
         if (at[0] == '@' && strncmp(at, "@wall ", 6) != 0 && !dem_stages_is_line(at)
-            && !dem_cell_is_line(at) && !dem_residence_is_line(at))
+            && !dem_cell_is_line(at) && !dem_residence_is_line(at) && !dem_wall_wear_is_line(at))
         {
             dem_text_add(t, "%.*s\n", (int)(end - at), at);
         }
@@ -90,6 +91,7 @@ int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
     int status = write_text(d, &t);
 
     dem_api_describe_motions(&p->walls, p->time, &t);
+    dem_wall_wear_describe(p, &t);
     status = status ? status : t.status;
     s->tail.text = (int64_t)(t.n/8 + 1)*8;    /* ends in a zero */
     s->tail.walls = p->walls.walls;

@@ -3,7 +3,8 @@
  * holds wins; every difference is a sentence, which dem_warnings lists.
  *
  *   groups of insert    new ones are inserted at the restart; the snapshot's are not inserted again
- *   walls               go on from where they stood, with the motion of the scene from then on
+ *   walls               go on from where they stood, with the motion of the scene from then on, and
+ *                       with their wear
  *   periodic axes       a change is refused: contacts cross their faces
  *   all else            applies from then on
  *
@@ -33,6 +34,9 @@ void dem_api_describe_motions(const struct dem_walls *, double time, struct dem_
 
 /* New numbers of the facets of the snapshot's walls; the caller frees map->wall. */
 int dem_api_map_facets(struct dem_case *, struct dem_snapshot_facets *);
+
+/* On the first rank, when the walls are finished: walls that keep their triangles keep their wear. */
+int dem_api_resume_wear(struct dem_case *);
 
 /* Add a sentence. */
 #if defined(__GNUC__)

@@ -1,6 +1,6 @@
 /*
- * restart_walls.c -- walls at a restart: they go on from where they stood, and their contacts find
- * their facets, whose numbers change when walls are added or removed.
+ * restart_walls.c -- walls at a restart: they go on from where they stood and with their wear, and
+ * their contacts find their facets, whose numbers change when walls are added or removed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/text.h"
+#include "records/wall_wear.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -190,6 +191,23 @@ int dem_api_map_facets(struct dem_case *c, struct dem_snapshot_facets *map)
         {
             DEM_TRY(dem_api_note(c->d, "restart: wall %s has other triangles than in the snapshot: it "
                                  "goes on without the history of its contacts", was->name));
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_api_resume_wear(struct dem_case *c)
+{
+    struct dem *const d = c->d;
+
+    for (int k = 0; k < d->state.walls.walls && d->before.text && d->state.decomposition.rank == 0; k++)
+    {
+        const struct dem_wall *const of = &d->state.walls.wall[k];
+        const struct dem_snapshot_wall *const was = find_wall(&d->before, k, of->name);
+
+        if (of->wear > 0.0 && keeps_facets(c, of, was))
+        {
+            DEM_TRY(dem_wall_wear_resume(&d->state, k, d->before.text, c->load_path));
         }
     }
     return DEM_OK;

@@ -244,6 +244,7 @@ static int place_particles(struct dem_case *c)
         DEM_TRY(dem_api_agree(d, status));
     }
     DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
+    DEM_TRY(dem_api_agree(d, dem_api_resume_wear(c)));
     DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
     DEM_TRY(dem_api_agree(d, distribute(c)));
     DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));

@@ -143,7 +143,7 @@ int dem_wall_set_load(struct dem *, const char *name, const double load[3]);
 int dem_wall_corners(struct dem *, int wall, double *corners);
 
 /* 1 when the wear of a wall is summed. dem_wall_wear, collective: the volume [m3] worn off each of its
-   triangles since the start or restart, in the order of dem_wall_corners, into an array of the first
+   triangles since the start, in the order of dem_wall_corners, into an array of the first
    rank; other ranks may give NULL. */
 int dem_wall_wears(const struct dem *, int wall);
 int dem_wall_wear(struct dem *, int wall, double *volume);

@@ -1,5 +1,6 @@
 /*
- * wall_wear.c -- find the triangle of each sliding contact with a wall that wears, and sum.
+ * wall_wear.c -- find the triangle of each sliding contact with a wall that wears, and sum; the sums in
+ * snapshots.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,23 +11,36 @@
 #include "ranks/dem_state.h"
 #include "records/wall_statistics.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* 1/m3: of the unit; a digit */
 static const double units = 0x1p120, base = 0x1p32;
 
+static const char mark[] = "@wear ";
+
+/* The sums, then as many of the last backup. */
 int dem_wall_wear_begin(struct dem_state *state)
 {
     return state->walls.wearing > 0 ? DEM_NEW(state->wall_statistics->wear,
-                                              dem_walls_count_triangles(&state->walls) + 1)
+                                              2*dem_walls_count_triangles(&state->walls) + 1)
                                     : DEM_OK;
+}
+
+/* Each digit but the highest is less than 2^32 afterwards. */
+static void carry_over(struct dem_wear_sum *s)
+{
+    for (int k = 0; k < DEM_WEAR_DIGITS - 1; k++)
+    {
+        s->digit[k + 1] += s->digit[k] >> 32;
+        s->digit[k] &= 0xffffffff;
+    }
 }
 
 /* All digits of a double are exact. */
 static void add(struct dem_wear_sum *s, double volume)
 {
     double rest = rint(volume*units), weight = base*base*base;
-    int64_t carry = 0;
 
     for (int k = DEM_WEAR_DIGITS - 1; k >= 0; k--, weight /= base)
     {
@@ -35,13 +49,7 @@ static void add(struct dem_wear_sum *s, double volume)
         rest -= digit*weight;
         s->digit[k] += (int64_t)digit;
     }
-    for (int k = 0; k < DEM_WEAR_DIGITS - 1; k++)
-    {
-        s->digit[k] += carry;
-        carry = s->digit[k] >> 32;
-        s->digit[k] -= carry << 32;
-    }
-    s->digit[DEM_WEAR_DIGITS - 1] += carry;
+    carry_over(s);
 }
 
 static double value_of(const struct dem_wear_sum *s)
@@ -108,28 +116,159 @@ int dem_wall_wear_add(struct dem_state *state, const struct dem_contact_batch *b
     return DEM_OK;
 }
 
-int dem_wall_wear_volumes(const struct dem_state *state, int wall, double *volume)
+/* ---- reading --------------------------------------------------------------------------------- */
+
+/* The sum of the first triangle of a wall; triangles are sorted by wall. */
+static struct dem_wear_sum *sums_of(const struct dem_state *state, int wall)
 {
-    const struct dem_walls *const w = &state->walls;
-    const size_t n = w->wall[wall].triangles;
-    struct dem_wear_sum *sum;
     size_t first = 0;
 
-    /* triangles are sorted by wall */
     for (int k = 0; k < wall; k++)
     {
-        first += w->wall[k].triangles;
+        first += state->walls.wall[k].triangles;
     }
-    DEM_TRY(dem_collect_agree(&state->decomposition, DEM_NEW(sum, n + 1)));
+    return state->wall_statistics->wear + first;
+}
+
+static void gather(struct dem_state *state, struct dem_wear_sum *sum, size_t n)
+{
+    dem_collect_sum_int64_to_first(&state->decomposition, sum[0].digit, n*DEM_WEAR_DIGITS);
+    for (size_t k = 0; k < n; k++)
+    {
+        if (state->decomposition.rank > 0)
+        {
+            sum[k] = (struct dem_wear_sum){.digit = {0}};
+        }
+        carry_over(&sum[k]);
+    }
+}
+
+void dem_wall_wear_gather(struct dem_state *state)
+{
     if (state->wall_statistics->wear)
     {
-        memcpy(sum, state->wall_statistics->wear + first, n*sizeof *sum);
+        gather(state, state->wall_statistics->wear, dem_walls_count_triangles(&state->walls));
     }
-    dem_collect_sum_int64_to_first(&state->decomposition, sum[0].digit, n*DEM_WEAR_DIGITS);
+}
+
+int dem_wall_wear_volumes(struct dem_state *state, int wall, double *volume)
+{
+    const size_t n = state->walls.wall[wall].triangles;
+    struct dem_wear_sum *const sum = state->wall_statistics->wear ? sums_of(state, wall) : NULL;
+
+    if (sum)
+    {
+        gather(state, sum, n);
+    }
     for (size_t k = 0; k < n && state->decomposition.rank == 0; k++)
     {
-        volume[k] = value_of(&sum[k]);
+        volume[k] = sum ? value_of(&sum[k]) : 0.0;
     }
-    dem_memory_free(sum);
     return dem_collect_status(&state->decomposition);
+}
+
+/* ---- backups and snapshots ------------------------------------------------------------------- */
+
+static void copy(struct dem_state *state, int back)
+{
+    struct dem_wear_sum *const now = state->wall_statistics->wear;
+    const size_t n = dem_walls_count_triangles(&state->walls);
+
+    if (now)
+    {
+        memcpy(back ? now : now + n, back ? now + n : now, n*sizeof *now);
+    }
+}
+
+void dem_wall_wear_backup(struct dem_state *state)
+{
+    copy(state, 0);
+}
+
+void dem_wall_wear_restore(struct dem_state *state)
+{
+    copy(state, 1);
+}
+
+int dem_wall_wear_is_line(const char *line)
+{
+    return strncmp(line, mark, sizeof mark - 1) == 0;
+}
+
+static int is_zero(const struct dem_wear_sum *s)
+{
+    int64_t any = 0;
+
+    for (int k = 0; k < DEM_WEAR_DIGITS; k++)
+    {
+        any |= s->digit[k];
+    }
+    return any == 0;
+}
+
+void dem_wall_wear_describe(const struct dem_state *state, struct dem_text *t)
+{
+    for (int w = 0; w < state->walls.walls && state->wall_statistics->wear; w++)
+    {
+        const struct dem_wall *const wall = &state->walls.wall[w];
+        const struct dem_wear_sum *const sum = sums_of(state, w);
+
+        if (wall->wear <= 0.0)
+        {
+            continue;
+        }
+        dem_text_add(t, "%s%s", mark, wall->name);
+        for (size_t k = 0; k < wall->triangles; k++)
+        {
+            if (!is_zero(&sum[k]))
+            {
+                dem_text_add(t, " %zu", k);
+                for (int digit = 0; digit < DEM_WEAR_DIGITS; digit++)
+                {
+                    dem_text_add(t, " %lld", (long long)sum[k].digit[digit]);
+                }
+            }
+        }
+        dem_text_add(t, "\n");
+    }
+}
+
+/* The next number of a line, from 0 to below `end`; *good becomes 0 without one. */
+static int64_t take(const char **at, int64_t end, int *good)
+{
+    char *rest;
+    const long long number = strtoll(*at, &rest, 10);
+
+    *good &= rest != *at && number >= 0 && number < end;
+    *at = rest;
+    return *good ? number : 0;
+}
+
+int dem_wall_wear_resume(struct dem_state *state, int wall, const char *text, const char *path)
+{
+    const struct dem_wall *const of = &state->walls.wall[wall];
+    struct dem_wear_sum *const sum = sums_of(state, wall);
+    const size_t head = sizeof mark - 1, length = strlen(of->name);
+    int good = 1;
+
+    for (const char *at = text; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    {
+        if (!dem_wall_wear_is_line(at) || strncmp(at + head, of->name, length) != 0
+            || at[head + length] != ' ')
+        {
+            continue;
+        }
+        for (at += head + length; *at == ' ' && good;)
+        {
+            struct dem_wear_sum *const s = &sum[take(&at, (int64_t)of->triangles, &good)];
+
+            for (int k = 0; k < DEM_WEAR_DIGITS; k++)
+            {
+                s->digit[k] = take(&at, k < DEM_WEAR_DIGITS - 1 ? INT64_C(1) << 32 : INT64_MAX, &good);
+            }
+        }
+    }
+    DEM_REQUIRE(good, DEM_ERROR_FILE, "%s is damaged: the wear of wall %s in it names no triangle or volume "
+                "of this wall; use another one", path, of->name);
+    return DEM_OK;
 }

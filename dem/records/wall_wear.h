@@ -12,7 +12,11 @@
  * keeps its form.
  *
  * Terms are rounded to 2^-120 m3 (8e-37 m3) and summed as integers, so the sums do not depend on ranks and
- * order. They begin at the start and at each restart.
+ * order. A snapshot holds them in the text of its scene, in a line for each wall that wears:
+ *
+ *   @wear NAME TRIANGLE DIGIT DIGIT DIGIT DIGIT TRIANGLE ...
+ *
+ * Triangles are counted from 0 within the wall; the lowest digit comes first.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -20,6 +24,7 @@
 #define DEM_RECORDS_WALL_WEAR_H
 
 #include "contacts/contact_batch.h"
+#include "core/text.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -43,6 +48,21 @@ int dem_wall_wear_add(struct dem_state *, const struct dem_contact_batch *, uint
 
 /* Collective. The volume [m3] worn off each triangle of a wall, on the first rank, in the order of
    dem_wall_corners. */
-int dem_wall_wear_volumes(const struct dem_state *, int wall, double *volume);
+int dem_wall_wear_volumes(struct dem_state *, int wall, double *volume);
+
+/* Collective. The first rank takes over the sums of all ranks. */
+void dem_wall_wear_gather(struct dem_state *);
+
+/* The sums of the last backup hold again. */
+void dem_wall_wear_backup(struct dem_state *);
+void dem_wall_wear_restore(struct dem_state *);
+
+/* The lines of a snapshot, after dem_wall_wear_gather, on the first rank. */
+void dem_wall_wear_describe(const struct dem_state *, struct dem_text *);
+int dem_wall_wear_is_line(const char *line);
+
+/* On the first rank: a wall takes its sums from the text of a snapshot's scene. DEM_ERROR_FILE when its line is
+   damaged; `path` names the snapshot. */
+int dem_wall_wear_resume(struct dem_state *, int wall, const char *text, const char *path);
 
 #endif

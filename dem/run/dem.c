@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "records/snapshot.h"
+#include "records/wall_wear.h"
 #include "ranks/agree.h"
 #include "run/stage_tests.h"
 #include "step/cell_motion.h"
@@ -163,6 +164,7 @@ static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *
     {
         status = dem_grid_averages_spans(p->averages, &record, &span, &s->caller_data_count);
     }
+    dem_wall_wear_gather(p);
     if (p->decomposition.rank == 0)
     {
         status = status ? status : add_scene(d, &scene, &span, &s->caller_data_count);
@@ -231,6 +233,7 @@ int dem_restore(struct dem *d, double *time)
                 "there is no backup to restore; dem_backup_every comes before dem_restore");
     DEM_TRY(dem_backup_restore(&p->backup, &p->particles, &p->contacts));
     dem_flows_restore(p->flows);
+    dem_wall_wear_restore(p);
     dem_wall_statistics_drop_forces(p->wall_statistics);
     dem_walls_rewind(&p->walls);
     dem_wall_bodies_restore(&p->walls);

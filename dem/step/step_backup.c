@@ -6,6 +6,7 @@
 #include "step/step_backup.h"
 #include "particles/domain.h"
 #include "ranks/agree.h"
+#include "records/wall_wear.h"
 #include "sources/flows.h"
 #include "step/wall_bodies.h"
 #include <math.h>
@@ -43,6 +44,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     }
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
     dem_flows_backup(state->flows);
+    dem_wall_wear_backup(state);
     memcpy(state->cell.backup[0], state->domain.length, sizeof state->domain.length);
     memcpy(state->cell.backup[1], state->cell.rate, sizeof state->cell.rate);
     memcpy(state->cell.backup[2], state->cell.integral, sizeof state->cell.integral);

@@ -37,8 +37,8 @@ LOST = {                        # output that no entry of the scene writes: what
     "massflow/mesh/face": "averages in a region have the mean velocity"}
 LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
            ("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
-           ("chem/", "Suna has no chemistry"), ("multisphere", "Suna has spheres only"),
-           ("particletemplate/", "Suna has spheres only"),
+           ("chem/", "Suna has no chemistry"), ("multisphere", "clumps are not translated: write shapes"),
+           ("particletemplate/", "spheres only are translated"),
            ("nve/", "Suna has spheres, integrated by themselves"),
            ("sph/", "Suna has no smoothed particle hydrodynamics"),
            ("wall/sph", "Suna has no smoothed particle hydrodynamics"),

@@ -752,7 +752,7 @@ def domain_and_output():
     has(translate(BASE.replace("run 1000", "fix v all viscous 1e-6\nrun 1000"))[0],
         f"stokesDrag {{}} ".strip(), f"viscosity {1e-6/(3*math.pi*1e-3):.12g};")
     for fix, lacking in (("heat/gran/radiation", "no such heat"),
-                         ("multisphere", "spheres only"),
+                         ("multisphere", "write shapes"),
                          ("adapt 1 atom diameter v_d", "keeps the size"),
                          ("nve/superquadric", "spheres"),
                          ("something/new", "does " "not know this fix")):

@@ -1,7 +1,7 @@
 /*
  * test_wall_wear.c -- a sphere so heavy that no force moves it slides along a plate and wears k F L/H off
  * it, each triangle for the part of the way on it; a moving plate, periodic images and the position of the triangles change
- * nothing.
+ * nothing. A run continued from a snapshot has the volumes of one that ran through, to the last bit.
  *
  * Source: Archard, J. Appl. Phys. 24 (1953) 981.
  *
@@ -12,15 +12,20 @@
 static const double R = 1e-3, overlap = 1e-5, v = 0.1, T = 0.05, k = 1e-4, H = 1e9;
 
 /* The plate is divided at x = 0.0021 by the edge of two rectangles, of two triangles each. */
-static struct dem *slides(const char *motion, const char *domain, double speed)
+static const char *scene(const char *motion, const char *domain, double speed)
 {
-    return world(world_text(
+    return world_text(
         "materials { glass { density 1e22; youngsModulus 1e7; poissonsRatio 0.3; } "
         "rigid { density 1; youngsModulus 1e30; } } effects { hertz {} } %s "
         "walls { plate { type triangles; material rigid; wear { coefficient %g; hardness %g; } %s corners ("
         "(-0.01 -0.01 0) (0.0021 -0.01 0) (0.0021 0.01 0) (-0.01 -0.01 0) (0.0021 0.01 0) (-0.01 0.01 0) "
         "(0.0021 -0.01 0) (0.02 -0.01 0) (0.02 0.01 0) (0.0021 -0.01 0) (0.02 0.01 0) (0.0021 0.01 0)); } } "
-        "insert { ball { type list; material glass; diameter %g; positions ((1e-3 2e-3 %.17g)); velocity (%g 0 0); } } time { step 5e-6; }", domain, k, H, motion, 2.0*R, R - overlap, speed), 0, NULL);
+        "insert { ball { type list; material glass; diameter %g; positions ((1e-3 2e-3 %.17g)); velocity (%g 0 0); } } time { step 5e-6; }", domain, k, H, motion, 2.0*R, R - overlap, speed);
+}
+
+static struct dem *slides(const char *motion, const char *domain, double speed)
+{
+    return world(scene(motion, domain, speed), 0, NULL);
 }
 
 static void wears(const char *motion, const char *domain, double speed, const char *what)
@@ -44,8 +49,45 @@ static void wears(const char *motion, const char *domain, double speed, const ch
     dem_free(d);
 }
 
+/* Volumes at T, of a run that saves at T/2; with `load`, of one that continues from there. */
+static void volumes(const char *file, int load, double *volume)
+{
+    struct dem *d = slides("", "", v);
+
+    world_run(d, 0.5*T);
+    WORLD_TRY(dem_save(d, file));
+    if (load)
+    {
+        struct dem_case *const c = world_begin(scene("", "", v));
+
+        dem_free(d);
+        WORLD_TRY(dem_case_load(c, file));
+        d = world_start(c);
+    }
+    world_run(d, 0.5*T);
+    WORLD_TRY(dem_wall_wear(d, 0, volume));
+    dem_free(d);
+}
+
+static void continues(void)
+{
+    const double F = 4.0/3.0*1e7/0.91*sqrt(R)*pow(overlap, 1.5), all = k*F*v*T/H;
+    double whole[4], continued[4], sum = 0.0;
+
+    volumes("worn.dem.tmp", 0, whole);
+    volumes("worn.dem.tmp", 1, continued);
+    remove("worn.dem.tmp");
+    for (int t = 0; t < 4; t++)
+    {
+        sum += continued[t];
+    }
+    TAP_NEAR(sum/all, 1.0, 1e-12, "continued from a snapshot: k F L/H");
+    TAP_OK(memcmp(whole, continued, sizeof whole) == 0, "continued from a snapshot: the same bits");
+}
+
 int main(void)
 {
+    continues();
     wears("", "", v, "a sphere on a plate");
     wears("motion { type translation; velocity (0.04 0 0.0); }", "", v + 0.04, "a plate that moves");
     wears("", "domain { y (-0.01 0.01); periodic (y); }", v, "a periodic plate");

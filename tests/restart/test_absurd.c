@@ -183,9 +183,10 @@ static void particles(void)
     number("another moment of inertia",
            of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0,
            "particle 1 has inverse moment of inertia [1/(kg m2)] 1");
-    number("an unused number that is not a number",
-           of_particle(1, offsetof(struct dem_particle, unused)), NAN,
-           "particle 1 has unused number nan");
+    whole("a clump whose first id is below 0", of_particle(1, offsetof(struct dem_particle, body)), -1,
+          "particle 1 has the first id of its clump -1");
+    whole("a clump that begins behind its sphere", of_particle(1, offsetof(struct dem_particle, body)), 3,
+          "particle 1 has the first id of its clump 3");
     number("a force that is not a number", of_particle(1, force), NAN,
            "particle 1 has force nan");
     number("an infinite torque", of_particle(1, force + 3*8), INFINITY,
