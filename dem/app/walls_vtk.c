@@ -1,6 +1,6 @@
 /*
- * walls_vtk.c -- write the triangles of all walls, at their present positions and with their wear, as a
- * VTK file.
+ * walls_vtk.c -- write the triangles of the walls that are there, at their present positions and with their
+ * wear, as a VTK file.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -11,7 +11,8 @@
 #include "records/vtk.h"
 #include <stdio.h>
 
-/* The number of triangles; *changes: 1 when one of their walls moves or wears. */
+/* The number of triangles that are there; *changes: 1 when one of the walls of triangles moves, wears,
+   comes or goes. */
 static int64_t count(const struct dem *d, int *changes)
 {
     int64_t n = 0;
@@ -22,8 +23,8 @@ static int64_t count(const struct dem *d, int *changes)
         struct dem_wall_info facts;
 
         dem_wall_info(d, w, &facts);
-        n += facts.triangles;
-        *changes |= facts.triangles > 0 && (facts.moves || dem_wall_wears(d, w));
+        n += facts.absent ? 0 : facts.triangles;
+        *changes |= facts.triangles > 0 && (facts.moves || facts.passes || dem_wall_wears(d, w));
     }
     return n;
 }
@@ -63,7 +64,11 @@ static int gather(const struct dem_program *prog, struct dem *d, int wall, int64
     struct dem_wall_info facts;
 
     dem_wall_info(d, wall, &facts);
-    *n = facts.triangles;
+    *n = facts.absent ? 0 : facts.triangles;
+    if (*n == 0)
+    {
+        return DEM_OK;
+    }
     DEM_TRY(dem_wall_corners(d, wall, prog->rank == 0 ? t->corners + 9*done : NULL));
     DEM_TRY(any_wears(d) ? dem_wall_wear(d, wall, prog->rank == 0 ? t->wear + done : NULL) : DEM_OK);
     for (int64_t k = done; k < done + *n && prog->rank == 0; k++)
@@ -126,7 +131,7 @@ int dem_walls_vtk_write(const struct dem_output *o, const struct dem_program *pr
     int changes;
     const int64_t n = count(d, &changes);
 
-    if (n == 0 || !changes)
+    if (!changes)
     {
         return DEM_OK;
     }

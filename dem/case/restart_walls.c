@@ -57,13 +57,14 @@ static int is_same_wall(const struct dem_case *c, const struct dem_wall *of,
 /* ---- compound motions ------------------------------------------------------------------------ */
 
 /* A line of the scene's text for each wall with a compound motion; words of 16 hexadecimal digits: the
-   hash of the motion, the pose of the frame, the state of a body. */
+   hashes of the motion, the pose of the frame, the state of a body. */
 static const char mark[] = "@wall ";
 
 enum
 {
+    HASHES = sizeof(struct dem_motion_hash)/sizeof(uint64_t),
     POSE_WORDS = sizeof(struct dem_pose)/sizeof(double),
-    WORDS = POSE_WORDS + DEM_WALL_BODY_WORDS
+    WORDS = HASHES + POSE_WORDS + DEM_WALL_BODY_WORDS
 };
 
 static void write_words(struct dem_text *t, const void *from, int n)
@@ -88,13 +89,12 @@ void dem_api_describe_motions(const struct dem_walls *w, double time, struct dem
 
         if (f && f->compound)
         {
-            const uint64_t hash = dem_compound_motion_hash(f->compound);
-
+            const struct dem_motion_hash hash = dem_compound_motion_hash(f->compound);
             struct dem_pose pose;
 
             dem_wall_frame_pose(f, time, &pose);
             dem_text_add(t, "%s", mark);
-            write_words(t, &hash, 1);
+            write_words(t, &hash, HASHES);
             write_words(t, &pose, POSE_WORDS);
             write_words(t, f->compound->body ? &f->compound->body->state : &none,
                         DEM_WALL_BODY_WORDS);
@@ -108,26 +108,27 @@ static int read_line(const char *line, const char *name, struct dem_wall_before 
 {
     const size_t head = sizeof mark - 1, length = strlen(name);
     const char *at = line + head;
-    double word[WORDS];
+    uint64_t word[WORDS];
 
     if (strncmp(line, mark, head) != 0)
     {
         return 0;
     }
-    for (int k = -1; k < WORDS; k++)
+    for (int k = 0; k < WORDS; k++)
     {
         char *end;
-        const uint64_t bits = strtoull(at, &end, 16);
+
+        word[k] = strtoull(at, &end, 16);
 
         if (end != at + 16 || *end != ' ')
         {
             return 0;
         }
-        memcpy(k < 0 ? (void *)&was->hash : &word[k], &bits, sizeof bits);
         at = end + 1;
     }
-    memcpy(&was->stood, word, sizeof was->stood);
-    memcpy(&was->body, word + POSE_WORDS, sizeof was->body);
+    memcpy(&was->hash, word, sizeof was->hash);
+    memcpy(&was->stood, word + HASHES, sizeof was->stood);
+    memcpy(&was->body, word + HASHES + POSE_WORDS, sizeof was->body);
     return strncmp(at, name, length) == 0 && at[length] == '\n';
 }
 
@@ -155,7 +156,13 @@ int dem_api_resume_walls(struct dem_case *c)
         {
             const struct dem_wall_before before = find_motion(c->d->before.text, was);
 
-            DEM_TRY(dem_walls_resume_motion(w, k, &before, c->d->state.time));
+            int rows;
+
+            DEM_TRY(dem_walls_resume_motion(w, k, &before, c->d->state.time, &rows));
+            DEM_TRY(rows ? dem_api_note(c->d, "restart: the table of the motion of wall %s has other "
+                                        "rows than before: the wall goes on from where it stood",
+                                        was->name)
+                         : DEM_OK);
         }
     }
     return DEM_OK;

@@ -248,12 +248,13 @@ struct dem_broken_bond
 
 /* ---- walls ----------------------------------------------------------------------------------- */
 
-/* of a wall of triangles: dem_wall_info; all 0 for planes, cylinders, spheres */
+/* of a wall: dem_wall_info; no triangles for planes, cylinders, spheres */
 struct dem_wall_info
 {
     int64_t triangles;      /* in use */
     int64_t flat, repeats;  /* left out: without area; duplicates */
     int moves;              /* 1: it has a motion */
+    int passes, absent;     /* 1: it has `from` or `until`; it is not there now */
 };
 
 /* of any wall: dem_wall_position */

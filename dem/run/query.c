@@ -299,7 +299,10 @@ void dem_wall_info(const struct dem *d, int wall, struct dem_wall_info *f)
     *f = (struct dem_wall_info){.triangles = (int64_t)w->triangles,
                                 .flat = (int64_t)w->flat,
                                 .repeats = (int64_t)w->repeats,
-                                .moves = w->frame >= 0};
+                                .moves = w->frame >= 0,
+                                .passes = w->there[0] > -INFINITY || w->there[1] < INFINITY
+                                       || w->there_stage[1] > 0,
+                                .absent = w->absent};
 }
 
 int dem_wall_corners(struct dem *d, int wall, double *corners)

@@ -47,6 +47,14 @@ void dem_wall_bodies_drift(struct dem_state *state)
     count_work(state, &w);
 }
 
+/* Outside of its times, while the wall is absent, and until a sweep has summed its contacts after it
+   has appeared or has got its motion at a restart. */
+static int rests(const struct dem_state *state, const struct dem_wall *of,
+                 const struct dem_wall_body *b)
+{
+    return of->absent || state->time < b->start || state->time >= b->end || b->state.summed == 0.0;
+}
+
 static void kick_all(struct dem_state *state, double kick, struct dem_wall_body_work *w)
 {
     struct dem_wall_body_kick in = {.time = state->time, .h = kick, .dt = state->dt};
@@ -54,7 +62,10 @@ static void kick_all(struct dem_state *state, double kick, struct dem_wall_body_
     dem_interaction_table_gravity(&state->interaction_table, in.gravity);
     FOR_BODIES(&state->walls, k, b)
     {
-        dem_pose_point(&state->walls.frame[state->walls.wall[k].frame].pose, b->centre, in.centre);
+        const struct dem_wall *const of = &state->walls.wall[k];
+
+        in.rests = rests(state, of, b);
+        dem_pose_point(&state->walls.frame[of->frame].pose, b->centre, in.centre);
         dem_wall_body_kick(b, &in, w);
     }
 }
@@ -145,10 +156,11 @@ void dem_wall_bodies_add_batch(struct dem_state *state, const struct dem_contact
             const struct dem_particle *const i = &state->particles.record[q->i];
             /* of a force ~ overlap^p: the tangent is p times the secant */
             const double k = effects->pair.exponent*b->kn[c],
-                         arm = squared_arm(body, state->touches.touch[q->j].point);
+                         arm = squared_arm(body, state->touches.touch[q->j].point),
+                         mass = i->inverse_mass > 0.0 ? 1.0/i->inverse_mass : i->mass;
 
             dem_binned_sum_add(&body->sum[1],
-                               (const double[DEM_BINNED_SUMS]){arm*k, arm*sqrt(k*i->mass),
+                               (const double[DEM_BINNED_SUMS]){arm*k, arm*sqrt(k*mass),
                                                                arm*b->eta[c], 1.0, 2.0*i->radius});
         }
     }
@@ -177,7 +189,8 @@ static void reduce(struct dem_state *state, int wall, struct dem_wall_body *b,
     }
 }
 
-static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TERMS], double time)
+static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TERMS], double time,
+                      int absent)
 {
     struct dem_wall_body_state *const s = &b->state;
 
@@ -197,6 +210,11 @@ static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TE
     s->dashpot = sum[DEM_WALL_BODY_DASHPOT];
     s->contacts = sum[DEM_WALL_BODY_CONTACTS];
     s->diameter = s->contacts > 0.0 ? sum[DEM_WALL_BODY_DIAMETERS]/s->contacts : 0.0;
+    s->summed = !absent;
+    if (absent)
+    {
+        s->hold = s->height = s->near_time = s->free_path = 0.0;
+    }
     s->free_since = s->contacts > 0.0 || s->free_path == 0.0 ? time : s->free_since;
 }
 
@@ -255,7 +273,7 @@ static void begin_to_hold(struct dem_state *state, struct dem_wall_body *b)
     const double wanted = target[0]*b->area;
 
     if (b->state.height == 0.0 && b->state.contacts > 0.0
-        && fabs(wanted + b->state.force[0]) < 0.1*fabs(wanted))
+        && dem_wall_body_is_near(b, wanted))
     {
         b->state.height = dem_totals_extent(state, b->axis[0]) + b->state.diameter;
     }
@@ -268,16 +286,15 @@ int dem_wall_bodies_sum(struct dem_state *state)
     FOR_BODIES(&state->walls, k, b)
     {
         const struct dem_wall *const of = &state->walls.wall[k];
-        const int rests = state->time < b->start || state->time >= b->end;
         double total[DEM_WALL_BODY_TERMS];
 
         reduce(state, k, b, total);
-        take_sums(b, total, state->time);
+        take_sums(b, total, state->time, of->absent);
         if (b->kind == DEM_WALL_BODY_SERVO)
         {
             begin_to_hold(state, b);
         }
-        status = status || rests ? status
+        status = status || rests(state, of, b) ? status
                  : b->kind == DEM_WALL_BODY_SERVO ? check_servo(state, of, b)
                                                   : check_mass(state, of, b);
     }

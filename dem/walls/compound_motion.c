@@ -212,6 +212,18 @@ const double *dem_compound_motion_leans(const struct dem_compound_motion *c, int
     return leaning;
 }
 
+const struct dem_motion *dem_compound_motion_turns(const struct dem_compound_motion *c)
+{
+    double rate[DEM_TIME_TABLE_COLUMNS];
+
+    if (c->parts != 1 || c->body || !c->part[0].table)
+    {
+        return NULL;
+    }
+    dem_time_table_rates(c->part[0].table, rate);
+    return rate[0] + rate[1] + rate[2] > 0.0 || !(rate[3] > 0.0) ? NULL : &c->part[0].motion;
+}
+
 /* ---- identity -------------------------------------------------------------------------------- */
 
 /* Of members, as the struct has padding. */
@@ -231,25 +243,31 @@ static void hash_formula(struct dem_hash *hash, const struct dem_motion *m)
     dem_hash_bytes(hash, &m->omega, sizeof m->omega);
 }
 
-uint64_t dem_compound_motion_hash(const struct dem_compound_motion *c)
+static uint64_t hash_body(const struct dem_wall_body *b)
 {
+    const double kind[2] = {b->kind, b->axes};
     struct dem_hash hash;
 
-    dem_hash_start(&hash, 'm');
+    dem_hash_start(&hash, 'b');
+    dem_hash_bytes(&hash, kind, sizeof kind);
+    dem_hash_bytes(&hash, b->axis, (size_t)b->axes*sizeof *b->axis);
+    dem_hash_bytes(&hash, b->origin, sizeof b->origin);
+    return dem_hash_value(&hash);
+}
+
+struct dem_motion_hash dem_compound_motion_hash(const struct dem_compound_motion *c)
+{
+    struct dem_hash formulas, tables;
+
+    dem_hash_start(&formulas, 'm');
+    dem_hash_start(&tables, 't');
     for (int k = 0; k < c->parts; k++)
     {
         const uint64_t rows = c->part[k].table ? dem_time_table_hash(c->part[k].table) : 0;
 
-        hash_formula(&hash, &c->part[k].motion);
-        dem_hash_bytes(&hash, &rows, sizeof rows);
+        hash_formula(&formulas, &c->part[k].motion);
+        dem_hash_bytes(&tables, &rows, sizeof rows);
     }
-    if (c->body)
-    {
-        const double kind[2] = {c->body->kind, c->body->axes};
-
-        dem_hash_bytes(&hash, kind, sizeof kind);
-        dem_hash_bytes(&hash, c->body->axis, (size_t)c->body->axes*sizeof *c->body->axis);
-        dem_hash_bytes(&hash, c->body->origin, sizeof c->body->origin);
-    }
-    return dem_hash_value(&hash);
+    return (struct dem_motion_hash){dem_hash_value(&formulas), dem_hash_value(&tables),
+                                    c->body ? hash_body(c->body) : 0};
 }

@@ -64,7 +64,15 @@ double dem_compound_motion_speed(const struct dem_compound_motion *, const doubl
    it. *rotates: 1 when a part rotates. */
 const double *dem_compound_motion_leans(const struct dem_compound_motion *, int axis, int *rotates);
 
-/* Differs between motions that lead to other poses; forces and masses of a body do not count. */
-uint64_t dem_compound_motion_hash(const struct dem_compound_motion *);
+/* Its only motion when that is a table that only turns, with origin and axis; else NULL. */
+const struct dem_motion *dem_compound_motion_turns(const struct dem_compound_motion *);
+
+/* differ between motions that lead to other poses; forces and masses of a body do not count */
+struct dem_motion_hash
+{
+    uint64_t formulas, tables, body;      /* of the parts: entries, rows of tables; 0: no body */
+};
+
+struct dem_motion_hash dem_compound_motion_hash(const struct dem_compound_motion *);
 
 #endif

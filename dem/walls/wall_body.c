@@ -74,8 +74,13 @@ static void given_force(const struct dem_wall_body *b, const struct dem_wall_bod
 
 /* ---- servo ----------------------------------------------------------------------------------- */
 
-/* An error of the force, of its target, that counts as near. */
-static const double near = 0.1;
+/* An error of the force, as a fraction of its target, that counts as near. */
+static const double near_error = 0.1;
+
+int dem_wall_body_is_near(const struct dem_wall_body *b, double target)
+{
+    return fabs(target + b->state.force[0]) < near_error*fabs(target);
+}
 
 static void kick_servo(struct dem_wall_body *b, double target, const struct dem_wall_body_kick *in)
 {
@@ -87,20 +92,20 @@ static void kick_servo(struct dem_wall_body *b, double target, const struct dem_
     s->v[0] = fabs(wanted) < most*c ? wanted/c : wanted > 0.0 ? most : wanted < 0.0 ? -most : 0.0;
     if (s->contacts == 0.0)
     {
-        s->hold = s->height = s->near = 0.0;
+        s->hold = s->height = s->near_time = 0.0;
     }
     else if (s->height > 0.0 && fabs(s->v[0]) < most)
     {
         const double tau = 4.0*s->height/s->diameter*s->impedance/s->stiffness;
 
-        if (s->near >= 0.25*tau)
+        if (s->near_time >= 0.25*tau)
         {
-            s->near = INFINITY;
+            s->near_time = INFINITY;
             s->hold += in->h*error/tau;
         }
         else
         {
-            s->near = fabs(error) < near*fabs(target) ? s->near + in->h : 0.0;
+            s->near_time = dem_wall_body_is_near(b, target) ? s->near_time + in->h : 0.0;
         }
     }
 }
@@ -133,7 +138,7 @@ void dem_wall_body_kick(struct dem_wall_body *b, const struct dem_wall_body_kick
 {
     double force[3] = {0.0, 0.0, 0.0};
 
-    if (in->time < b->start || in->time >= b->end)
+    if (in->rests)
     {
         w->lost += dem_wall_body_kinetic(b);
         memset(b->state.v, 0, sizeof b->state.v);

@@ -17,7 +17,8 @@
  *   v = (F + f + H)/c,  |v| <= maxSpeed,    dH/dt = (F + f)/tau,  tau = 4 (L/d) Z/K
  *   c = max(Z, 1.5 (sum eta + K dt/2)),     Z = sum sqrt(k m_p),  K = sum k
  *
- *   k, eta  tangent stiffness and damping coefficient of a contact; m_p its particle's mass
+ *   k, eta  tangent stiffness and damping coefficient of a contact; m_p its particle's mass, in a clump
+ *           the mass of the clump
  *   L, d    extent of the particles along the axis; mean diameter of those in contact
  *   H       makes up for c v of a wall that keeps moving; 0 without contact, and until |F + f| has been
  *           below F/10 for a passage of sound through the bed, tau/4
@@ -67,8 +68,9 @@ struct dem_wall_body_state
     double v[3];                          /* m/s, rad/s */
     double force[3];                      /* N, N m  of the particles along the axes */
     double stiffness, impedance, dashpot, contacts, diameter;    /* the sums; mean diameter */
-    double hold, height, near;            /* N, m, s  H; L, 0 before the target is near; for how long */
+    double hold, height, near_time;       /* N, m, s  H; L, 0 before the target is near; for how long */
     double free_path, free_since;         /* m, s  path since the last contact, and its begin */
+    double summed;                        /* 1: the sums are known; 0 before the first sweep */
 };
 
 enum
@@ -102,9 +104,13 @@ void dem_wall_body_pose(const struct dem_wall_body *, const double q[3], struct 
 /* Damping coefficient of a servo for steps of dt [s]. */
 double dem_wall_body_servo_damping(const struct dem_wall_body *, double dt);
 
+/* 1 when the force of the particles on a servo is near its target [N]. */
+int dem_wall_body_is_near(const struct dem_wall_body *, double target);
+
 struct dem_wall_body_kick
 {
     double time, h, dt;                   /* s: present; of the kick; of the step */
+    int rests;                            /* 1: the wall does not move now */
     double gravity[3], centre[3];         /* m/s2; m, global */
 };
 

@@ -157,8 +157,21 @@ static int rebase(struct dem_walls *w, int wall, const struct dem_motion *now,
     return DEM_OK;
 }
 
+/* *body: 1 when a body goes on with its state; *rows: 1 when only the rows of tables differ. */
+static int same_compound(const struct dem_compound_motion *now, const struct dem_wall_before *was,
+                         int *body, int *rows)
+{
+    const struct dem_motion_hash hash = dem_compound_motion_hash(now);
+    const int formulas = was->compound && hash.formulas == was->hash.formulas,
+              tables = hash.tables == was->hash.tables, bodies = hash.body == was->hash.body;
+
+    *body = was->compound && now->body && bodies;
+    *rows = formulas && bodies && !tables;
+    return formulas && tables && bodies;
+}
+
 int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_wall_before *was,
-                            double time)
+                            double time, int *rows)
 {
     static const struct dem_motion rest = {.kind = DEM_MOTION_REST};
     const int frame = w->wall[wall].frame;
@@ -173,11 +186,13 @@ int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_wall
         now = w->frame[frame];
         now.resumed = 0;
     }
-    const int same = now.compound
-                         ? was->compound && dem_compound_motion_hash(now.compound) == was->hash
-                         : !was->compound && same_motion(&was->motion, &now.motion);
+    int body = 0;
 
-    if (same && now.compound && now.compound->body)
+    *rows = 0;
+    const int same = now.compound ? same_compound(now.compound, was, &body, rows)
+                                  : !was->compound && same_motion(&was->motion, &now.motion);
+
+    if (body)
     {
         now.compound->body->state = was->body;
     }
@@ -200,14 +215,16 @@ int dem_walls_axis(const struct dem_walls *w, int wall, double origin[3], double
     const struct dem_wall *const of = &w->wall[wall];
     const struct dem_wall_frame *const f = of->frame < 0 ? NULL : &w->frame[of->frame];
     const struct dem_wall_body *const b = dem_walls_body(w, wall);
+    const struct dem_motion *const turns = !f ? NULL
+                                           : f->compound ? dem_compound_motion_turns(f->compound)
+                                           : f->motion.kind == DEM_MOTION_ROTATION ? &f->motion : NULL;
     const int hinge = b && b->kind == DEM_WALL_BODY_HINGE,
-              turns = f && f->motion.kind == DEM_MOTION_ROTATION,
               belt = !f && of->driven && dem_vec_norm(of->drive.axis) > 0.0;
 
     memcpy(origin, hinge   ? b->origin
-                   : turns ? f->motion.origin
+                   : turns ? turns->origin
                    : belt  ? of->drive.origin
                            : zero, sizeof zero);
-    memcpy(axis, hinge ? b->axis[0] : turns ? f->motion.axis : belt ? of->drive.axis : z, sizeof z);
+    memcpy(axis, hinge ? b->axis[0] : turns ? turns->axis : belt ? of->drive.axis : z, sizeof z);
     return hinge || turns || belt;
 }

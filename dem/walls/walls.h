@@ -254,15 +254,16 @@ struct dem_wall_before
     struct dem_motion motion;
     struct dem_pose base;
     int compound;                 /* 1: of the motion these only: */
-    uint64_t hash;
+    struct dem_motion_hash hash;
     struct dem_pose stood;
     struct dem_wall_body_state body;
 };
 
 /* Before the walls are finished: a wall that had another motion until `time` [s] goes on from its pose
-   then, with its motion from now on. The same motion keeps the base, and the state of a body. */
+   then, with its motion from now on. The same motion keeps the base; a
+   body on the same axes keeps its state. *rows: 1 when only the rows of its tables have changed. */
 int dem_walls_resume_motion(struct dem_walls *, int wall, const struct dem_wall_before *,
-                            double time);
+                            double time, int *rows);
 
 /* The axis [unit] and a point on it [m] about which a wall or its surface turns. Returns 0, and the z
    axis, for a wall that does not turn about one axis fixed in space. */

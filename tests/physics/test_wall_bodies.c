@@ -9,6 +9,7 @@
 #include "physics/energy.h"
 #include "physics/world.h"
 
+#include "dem_numbers.h"
 #include <unistd.h>
 
 static const double R = 0.5e-3, density = 2500.0;
@@ -199,8 +200,8 @@ static char *pressed(const char *laws, const char *lid)
         "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} %s "
         "gravity { acceleration (0 0 -9.81); } } walls { box { type box; min (0 0 0); max (8e-3 8e-3 0.1); } "
         "lid { type triangles; corners ((-1e-3 -1e-3 11e-3) (9e-3 -1e-3 11e-3) (9e-3 9e-3 11e-3) "
-        "(-1e-3 -1e-3 11e-3) (9e-3 9e-3 11e-3) (-1e-3 9e-3 11e-3)); motion { %s } } } %s time { step 4e-6; }",
-        laws, lid, bed);
+        "(-1e-3 -1e-3 11e-3) (9e-3 9e-3 11e-3) (-1e-3 9e-3 11e-3)); motion %s } } %s time { step 4e-6; }",
+        laws, world_text(lid[0] == '(' ? "%s;" : "{ %s }", lid), bed);
 }
 
 /* In flight the terms of the wall alone balance, exactly; on the bed the error is the integrator's:
@@ -275,6 +276,159 @@ static void restart(const char *lid, const char *what)
            "%s: and from a snapshot", what);
     dem_free(d);
     unlink(path);
+}
+
+/* A run of `before` for 0.04 s, continued with the lid of `after`. */
+static struct dem *edited(const char *before, const char *after, struct dem_wall_position *was)
+{
+    char path[] = "/tmp/bodies.XXXXXX";
+    const int file = mkstemp(path);
+    struct dem *const d = world(pressed("dry { restitution 0.5; }", before), 0, NULL);
+
+    close(file);
+    world_run(d, 0.04);
+    WORLD_TRY(dem_save(d, path));
+    *was = position(d, 6);
+    dem_free(d);
+    struct dem_case *const c = world_begin(pressed("dry { restitution 0.5; }", after));
+
+    WORLD_TRY(dem_case_load(c, path));
+    struct dem *const next = world_start(c);
+
+    unlink(path);
+    return next;
+}
+
+/* The snapshot has no sums over the contacts of the new body. */
+static void begins_at_rest(const char *before, const char *after, const char *what)
+{
+    struct dem_wall_position was;
+    struct dem *const d = edited(before, after, &was);
+
+    world_step(d);
+    TAP_OK(position(d, 6).moved[0] == 0.0, "%s from a snapshot rests until its contacts are summed: moved %g m",
+           what, position(d, 6).moved[0]);
+    world_step(d);
+    TAP_OK(position(d, 6).moved[0] != 0.0, "and moves then");
+    dem_free(d);
+}
+
+/* An edited motion before it does not take the state of the body away. */
+static void keeps_state(const char *before, const char *after, const char *what)
+{
+    struct dem_wall_position was;
+    struct dem *const d = edited(before, after, &was);
+    const struct dem_wall_position now = position(d, 6);
+
+    TAP_OK(was.moved[0] != 0.0 && now.moved[0] == was.moved[0] && now.velocity[0] == was.velocity[0],
+           "%s: the servo goes on at %g m with %g m/s", what, now.moved[0], now.velocity[0]);
+    TAP_NEAR(now.shift[0] - was.shift[0], 0.0, 1e-15, "from where the lid stood");
+    dem_free(d);
+}
+
+static void write_rows(const char *path, double x)
+{
+    FILE *const f = fopen(path, "w");
+
+    fprintf(f, "time, x\n0, 0\n0.02, %g\n0.06, 2e-4\n", x);
+    fclose(f);
+}
+
+/* The file changes, the scene does not. */
+static void other_rows(const char *body)
+{
+    char path[] = "/tmp/rows.XXXXXX", saved[] = "/tmp/bodies.XXXXXX";
+    const int file[2] = {mkstemp(path), mkstemp(saved)};
+
+    close(file[0]);
+    close(file[1]);
+    write_rows(path, 1e-4);
+    char *const scene = pressed("", world_text("( { type table; file \"%s\"; } %s )", path, body));
+    struct dem *d = world(scene, 0, NULL);
+
+    world_run(d, 0.04);
+    WORLD_TRY(dem_save(d, saved));
+    const struct dem_wall_position was = position(d, 6);
+
+    dem_free(d);
+    write_rows(path, 0.5e-4);
+    struct dem_case *const c = world_begin(scene);
+
+    WORLD_TRY(dem_case_load(c, saved));
+    d = world_start(c);
+    const char *const note = dem_scene_note(d, 0);
+
+    TAP_OK(note && strstr(note, "table of the motion of wall lid has other rows"), "note: %s", note ? note : "none");
+    TAP_NEAR(position(d, 6).shift[0] - was.shift[0], 0.0, 1e-15, "it goes on from where it stood");
+    TAP_OK(!was.axes || (was.moved[0] != 0.0 && position(d, 6).moved[0] == was.moved[0]),
+           "with the state of its servo: %g m", was.moved[0]);
+    dem_free(d);
+    unlink(path);
+    unlink(saved);
+}
+
+/* ---- absence --------------------------------------------------------------------------------- */
+
+/* A lid that meets nothing any more: 0.3 s are 300 diameters. */
+static void absent_from(void)
+{
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass", .position = {0.0, 0.0, R}};
+    struct dem *const d = world(
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} dry "
+                   "{ restitution 0.3; } } stages { press { duration 0.02; } open { duration 0.3; } } walls { floor { "
+                   "type plane; point (0 0 0); normal (0 0 1); } lid { type plane; point (0 0 1.1e-3); normal (0 0 -1); "
+                   "until open; motion { type servo; force 1e-3; maxSpeed 1; } } } time { step 4e-6; }"), 1, &seed);
+
+    world_run(d, 0.0201);
+    const double at = position(d, 1).moved[0];
+
+    world_run(d, 0.29);
+    TAP_OK(at > 1e-4 && position(d, 1).moved[0] == at, "a servo that has gone rests: at %g m", at);
+    dem_free(d);
+}
+
+static void absent_until(void)
+{
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass", .position = {0.0, 0.0, R}};
+    struct dem *const d = world(
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} dry "
+                   "{ restitution 0.3; } } stages { fill { duration 0.01; } press { duration 0.01; } } walls { floor { "
+                   "type plane; point (0 0 0); normal (0 0 1); } lid { type triangles; corners ((-1e-2 -1e-2 1.1e-3) "
+                   "(1e-2 -1e-2 1.1e-3) (0 2e-2 1.1e-3)); from press; motion { type servo; axis (0 0 -1); force 1e-3; "
+                   "maxSpeed 0.1; } } } time { step 4e-6; }"), 1, &seed);
+
+    world_run(d, 0.009);
+    TAP_OK(position(d, 1).moved[0] == 0.0, "a servo that comes later waits: moved %g m", position(d, 1).moved[0]);
+    world_run(d, 0.011);
+    TAP_NEAR(force_z(d, 1)/1e-3, 1.0, 1e-3, "and presses when it is there");
+    dem_free(d);
+}
+
+/* ---- clumps ---------------------------------------------------------------------------------- */
+
+/* The damping of a servo on one contact is sqrt(k M), M the mass of the clump. */
+static void servo_on_clump(void)
+{
+    static const double k = 1000.0, F = 1e-3;
+    struct dem *const d = world(
+        world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hooke { "
+                   "stiffness %g; } } shapes { pair { spheres ((0 0 -0.5e-3 1e-3) (0 0 0.5e-3 1e-3)); } } walls { lid { "
+                   "type plane; point (0 0 1.5e-3); normal (0 0 -1); motion { type servo; force %g; maxSpeed 1; } } } "
+                   "insert { one { type list; material glass; shape pair; positions ((0 0 -1e-8)); } } "
+                   "time { step 1e-6; }", k, F), 0, NULL);
+    double mass = 0.0;
+
+    for (int n = 0; n < 40; n++)
+    {
+        world_step(d);
+    }
+    for (int n = 0; n < 2; n++)
+    {
+        mass += world_at(d, n).mass;
+    }
+    TAP_NEAR((F - force_z(d, 0))/position(d, 0).velocity[0]/sqrt(k*mass), 1.0, 1e-9,
+             "a servo on a clump has the impedance of the clump's mass");
+    dem_free(d);
 }
 
 /* ---- loads ----------------------------------------------------------------------------------- */
@@ -406,6 +560,18 @@ int main(void)
     restart("type servo; axis (0 0 -1); pressure 1e3; area 64e-6; maxSpeed 0.5;", "servo");
     restart("type free; axes (z); mass 1e-3; force (0 0 -0.05);", "free lid");
     restart("type hinge; origin (0 0 11e-3); axis (0 1 0); inertia 1e-7; torque 2e-4;", "hinge");
+    begins_at_rest("type free; axes (z); mass 1e-3; force (0 0 -0.05);",
+                   "type servo; axis (0 0 -1); force 0.05; maxSpeed 0.5;", "a new servo");
+    begins_at_rest("type servo; axis (0 0 -1); force 0.05; maxSpeed 0.5;",
+                   "type free; axes (z); mass 1e-3; force (0 0 -0.05);", "a new free lid");
+    keeps_state("( { type translation; velocity (0.01 0 0); } { type servo; axis (0 0 -1); force 0.05; maxSpeed 0.5; } )",
+                "( { type translation; velocity (0.02 0 0); } { type servo; axis (0 0 -1); force 0.05; maxSpeed 0.5; } )",
+                "a faster translation");
+    other_rows("{ type servo; axis (0 0 -1); force 0.05; maxSpeed 0.5; }");
+    other_rows("");
+    absent_from();
+    absent_until();
+    servo_on_clump();
     loads();
     TAP_OK(!comes_to_rest(0.0), "untilQuiet waits for a flap that swings");
     TAP_OK(comes_to_rest(3e-6), "and ends when it hangs still");
