@@ -264,6 +264,25 @@ static void power(const char *motion, const char *what)
     dem_free(d);
 }
 
+/* The axis of a table that only turns is fixed; one that also moves has none. */
+static void axes(void)
+{
+    for (int moves = 0; moves < 2; moves++)
+    {
+        char *const rows = file_of("axis.csv", moves ? "time, z, angle\n0, 0, 0\n1, 1e-3, 1\n"
+                                                     : "time, angle\n0, 0\n1, 1\n");
+        struct dem *const d = world(
+            world_text("%s walls { w { %s motion { type table; file \"%s\"; origin (0.01 0 0); axis (1 0 0); } } } "
+                       "time { step 1e-5; }", glass, plate, rows), 0, NULL);
+        double at[3], axis[3];
+        const int fixed = dem_wall_axis(d, 0, at, axis);
+
+        TAP_OK(fixed == !moves && (moves || (at[0] == 0.01 && axis[0] == 1.0)), "a table that %s has %s",
+               moves ? "turns and moves" : "only turns", fixed ? "its axis" : "no fixed axis");
+        dem_free(d);
+    }
+}
+
 /* ---- refusals -------------------------------------------------------------------------------- */
 
 static void refuse(const char *wall, const char *motion, const char *words)
@@ -319,6 +338,7 @@ int main(void)
     power("{ type rotation; origin (0.01 0 0); axis (0 0 1); omega 20; }", "a rotation");
     power("( { type rotation; origin (0.01 0 0); axis (0 0 1); omega 20; } { type translation; velocity "
           "(0 0 0); } );", "a rotation and rest");
+    axes();
     refusals();
     (void)!system(world_text("rm -r %s", folder));
     TAP_DONE;

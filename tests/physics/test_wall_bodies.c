@@ -397,9 +397,15 @@ static void absent_until(void)
                    "(1e-2 -1e-2 1.1e-3) (0 2e-2 1.1e-3)); from press; motion { type servo; axis (0 0 -1); force 1e-3; "
                    "maxSpeed 0.1; } } } time { step 4e-6; }"), 1, &seed);
 
+    struct dem_wall_info facts;
+
     world_run(d, 0.009);
+    dem_wall_info(d, 1, &facts);
+    TAP_OK(facts.passes && facts.absent, "it is known to be absent");
     TAP_OK(position(d, 1).moved[0] == 0.0, "a servo that comes later waits: moved %g m", position(d, 1).moved[0]);
     world_run(d, 0.011);
+    dem_wall_info(d, 1, &facts);
+    TAP_OK(facts.passes && !facts.absent, "and to have come");
     TAP_NEAR(force_z(d, 1)/1e-3, 1.0, 1e-3, "and presses when it is there");
     dem_free(d);
 }

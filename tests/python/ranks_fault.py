@@ -28,7 +28,7 @@ def outcome(sim, duration):
 
 
 world = MPI.COMM_WORLD
-expected = "Fault" if world.rank == world.size - 1 else "SunaError the progress function of another rank"
+expected = "Fault" if world.rank == world.size - 1 else "SunaError a function of another rank"
 sim = suna.Simulation(SCENE, comm=world)
 step = sim.step[0]
 # progress is reported after each 16 steps: in the last step of the first advance, then in the middle
