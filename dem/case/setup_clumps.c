@@ -20,9 +20,11 @@ static int refuse_effects(const struct dem_interaction_table *r)
                     DEM_ERROR_INPUT,
                     "shapes: effects/%s acts on single spheres, gravity alone acts on clumps; leave out "
                     "one of the two", e->name);
-        DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT, DEM_ERROR_INPUT,
+        /* a spring against rolling is not bounded by the inertia of one sphere */
+        DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || (e->mechanism == DEM_MECHANISM_ROLLING && e->history),
+                    DEM_ERROR_INPUT,
                     "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
-                    "form resists rolling; leave out one of the two", e->name);
+                    "form resists rolling; leave it out, or take rollingSpring", e->name);
         DEM_REQUIRE(e->stage != DEM_STAGE_BOND && e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
                     "shapes: effects/%s does not work with clumps yet; leave out one of the two",
                     e->name);

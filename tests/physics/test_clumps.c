@@ -528,6 +528,7 @@ static void refusals(void)
     refused("effects { gidaspow { } } fluid { density 1; viscosity 1e-5; }", "", "gidaspow");
     refused("effects { rollingConstant { friction 0.1; } }", "", "rollingConstant resists the rotation");
     refused("effects { rollingViscous { time 1e-3; } }", "", "rollingViscous");
+    refused("effects { twistingSpring { friction 0.1; } }", "", "twistingSpring");
     refused("averages { a { min (0 0 0); max (1 1 1); cells (1 1 1); interval 1; } }", "", "averages");
 }
 
