@@ -82,6 +82,19 @@ static void warn_of_driven(struct list *w)
     }
 }
 
+static void warn_of_bodies(struct list *w)
+{
+    if (w->p->scene.frozen && w->p->scene.wall_bodies > 0)
+    {
+        begin(w);
+        dem_text_add(
+            w->t,
+            "walls that are moved by force (%d) pass through frozen and driven particles, between which there is no "
+            "force; let those particles be free, or build what the walls meet of walls\n",
+            w->p->scene.wall_bodies);
+    }
+}
+
 static void warn_of_gravity(struct list *w)
 {
     const char *const entry = w->p->scene.coupled ? "constant/g" : "effects/gravity/acceleration";
@@ -326,6 +339,7 @@ int dem_warnings_write(struct dem_text *t, const struct dem_plan *p, int n, cons
     {
         warn_of_walls(&w);
         warn_of_driven(&w);
+        warn_of_bodies(&w);
         warn_of_gravity(&w);
         warn_of_drag(&w);
         warn_of_densities(&w);

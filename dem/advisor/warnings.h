@@ -4,6 +4,7 @@
  *
  *   no contact law       walls, and no normal law acts between them and particles
  *   driven               driven particles and walls, between which there is no force
+ *   walls by force       and frozen or driven particles, likewise
  *   gravity              absent, or along +y or +z
  *   no drag              a fluid, and no drag law
  *   density              below 50 kg/m3: kg/m3 meant, g/cm3 given?

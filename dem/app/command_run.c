@@ -122,6 +122,19 @@ static void tell_stages(struct run_state *c)
     }
 }
 
+/* At the end of the run: the stages that have not begun. */
+static int tell_stages_left(const struct run_state *c)
+{
+    const char *text;
+
+    DEM_TRY(dem_stages_left_text(c->d, &text));
+    if (c->prog->rank == 0)
+    {
+        fputs(text, stdout);
+    }
+    return DEM_OK;
+}
+
 static int advance(struct run_state *c, double duration)
 {
     const struct dem_output *const o = &c->s->output;
@@ -310,7 +323,7 @@ static int advance_to_end(struct dem_program *prog, struct dem *d, const struct 
     dem_run_tables_print_flows(prog, d);
     dem_energy_log_print(&c.energy, prog);
     print_quiet(&c.quiet, prog, &c.t);
-    return DEM_OK;
+    return tell_stages_left(&c);
 }
 
 /* ---- the run --------------------------------------------------------------------------------- */

@@ -49,13 +49,28 @@ static void report_bonds(const struct dem_totals *t)
     }
 }
 
+const char *dem_progress_particles(const struct dem_totals *t, char text[80])
+{
+    if (t->clumps > 0)
+    {
+        snprintf(text, 80, "%lld spheres, %lld clumps", (long long)t->particles, (long long)t->clumps);
+    }
+    else
+    {
+        snprintf(text, 80, "%lld particles", (long long)t->particles);
+    }
+    return text;
+}
+
 void dem_progress_report(struct dem_progress *p, const struct dem_totals *t)
 {
+    char text[80];
+
     if (p->rank == 0)
     {
-        printf("t %.6g s  %lld particles  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap "
+        printf("t %.6g s  %s  %lld contacts  %.0f steps/s  kinetic %.4g J  overlap "
                "%.3g %%  ETA %.0f s\n",
-               t->time, (long long)t->particles, (long long)t->contacts,
+               t->time, dem_progress_particles(t, text), (long long)t->contacts,
                (double)(t->steps - p->steps)/(MPI_Wtime() - p->started), t->kinetic,
                100.0*p->overlap, seconds_left(p, t->time));
         report_bonds(t);

@@ -25,6 +25,9 @@ struct dem_progress
    due. */
 void dem_progress_watch(void *progress, double time, int64_t steps);
 
+/* "140 particles"; in a scene with clumps "140 spheres, 40 clumps". */
+const char *dem_progress_particles(const struct dem_totals *, char text[80]);
+
 /* The line of an output, printed by the first rank. */
 void dem_progress_report(struct dem_progress *, const struct dem_totals *);
 

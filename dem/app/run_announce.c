@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/run_announce.h"
+#include "app/progress.h"
 #include "dem_plan.h"
 #include "core/error.h"
 #include <math.h>
@@ -64,12 +65,13 @@ int dem_run_announce(const struct dem_program *prog, struct dem *d, const struct
 {
     const struct dem_step_limit step = dem_step_limit(d);
     struct dem_totals t;
+    char particles[80];
 
     DEM_TRY(dem_totals(d, &t));
     if (prog->rank == 0)
     {
-        printf("Suna: %lld particles, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n",
-               (long long)t.particles, dem_wall_count(d), prog->ranks, prog->ranks > 1 ? "s" : "",
+        printf("Suna: %s, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n",
+               dem_progress_particles(&t, particles), dem_wall_count(d), prog->ranks, prog->ranks > 1 ? "s" : "",
                step.used, step.limit, step.why);
         announce_gravity(s);
         if (dem_fluid_effect_names(d)[0])

@@ -7,6 +7,7 @@
 #include "core/did_you_mean.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/vec.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -135,6 +136,9 @@ static int read_free(const struct dem_dict *dict, const struct dem_wall *of, str
 
 /* ---- hinge ----------------------------------------------------------------------------------- */
 
+/* 1  of numbers that were printed with three digits */
+static const double rounded = 0.01;
+
 static int read_stops(const struct dem_dict *dict, struct dem_wall_body *b)
 {
     const double *angle;
@@ -154,6 +158,22 @@ static int read_stops(const struct dem_dict *dict, struct dem_wall_body *b)
     return DEM_OK;
 }
 
+/* The inertia about an axis is that about the centre of mass plus mass times distance squared. */
+static int check_inertia(const struct dem_dict *dict, const struct dem_wall_body *b)
+{
+    double arm[3], across[3];
+
+    dem_vec_minus(b->centre, b->origin, arm);
+    dem_vec_cross(arm, b->axis[0], across);
+    const double least = b->weighs*dem_vec_dot(across, across);
+
+    DEM_REQUIRE(b->mass >= least*(1.0 - rounded), DEM_ERROR_INPUT,
+                "%s: inertia %g kg m2 about the axis, but mass %g kg with its centre %g m from the axis has "
+                "at least %g kg m2; give that or more", dem_dict_where(dict), b->mass, b->weighs,
+                dem_vec_norm(across), least);
+    return DEM_OK;
+}
+
 static int read_hinge(const struct dem_dict *dict, struct dem_wall_body *b)
 {
     b->kind = DEM_WALL_BODY_HINGE;
@@ -167,12 +187,32 @@ static int read_hinge(const struct dem_dict *dict, struct dem_wall_body *b)
     if (dem_dict_has(dict, "mass"))
     {
         DEM_TRY(read_positive(dict, "mass", "kg", &b->weighs));
-        return dem_dict_vector(dict, "centre", "m", b->centre);
+        DEM_TRY(dem_dict_vector(dict, "centre", "m", b->centre));
+        return check_inertia(dict, b);
     }
     return DEM_OK;
 }
 
 /* ---- servo ----------------------------------------------------------------------------------- */
+
+/* A servo presses along its axis; a table may begin and end with 0. */
+static int check_target(const struct dem_dict *dict, const char *name, const char *unit,
+                        const struct dem_wall_body *b)
+{
+    double most = b->table ? 0.0 : b->force[0];
+
+    for (size_t k = 0; b->table && k < b->table->rows; k++)
+    {
+        most = fmax(most, b->table->row[k].value[0]);
+        DEM_REQUIRE(b->table->row[k].value[0] >= 0.0, DEM_ERROR_INPUT,
+                    "%s: %s %g %s at time %g s of the table; a servo presses along its axis: give numbers "
+                    "above 0, or turn the axis", dem_dict_where(dict), name, b->table->row[k].value[0], unit,
+                    b->table->row[k].time);
+    }
+    DEM_REQUIRE(most > 0.0, DEM_ERROR_INPUT, "%s: %s %g %s; a servo presses along its axis: give a "
+                "number above 0, or turn the axis", dem_dict_where(dict), name, most, unit);
+    return DEM_OK;
+}
 
 static int read_servo(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
 {
@@ -190,6 +230,7 @@ static int read_servo(const struct dem_dict *dict, const struct dem_wall *of, st
         DEM_TRY(read_positive(dict, "area", "m2", &b->area));
     }
     DEM_TRY(read_load(dict, pressure ? "pressure" : "force", pressure ? "Pa" : "N", b));
+    DEM_TRY(check_target(dict, pressure ? "pressure" : "force", pressure ? "Pa" : "N", b));
     if (of->shape == DEM_SHAPE_PLANE && !dem_dict_has(dict, "axis"))
     {
         memcpy(b->axis[0], of->normal, sizeof b->axis[0]);

@@ -7,6 +7,7 @@
 #include "case/internal.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "ranks/collect.h"
 #include "step/cell_motion.h"
 #include <math.h>
 #include <stdlib.h>
@@ -45,10 +46,7 @@ static int read_axis(struct dem_cell_axis *a, const struct dem_domain *d, const 
     DEM_REQUIRE(fabs(a->rate) < 1e9 && fabs(a->target) < 1e30, DEM_ERROR_INPUT,
                 "%s: domain/cell/%s: rate %g 1/s, stress %g Pa; give smaller numbers",
                 dem_dict_where(entry), name[k], a->rate, a->target);
-    DEM_REQUIRE(a->stage[1] ? a->stage[0] < a->stage[1] : a->stage[0] || a->start < a->end, DEM_ERROR_INPUT,
-                "%s: domain/cell/%s does not end after it has started; give a later end",
-                dem_dict_where(entry), name[k]);
-    return DEM_OK;
+    return dem_dict_check_times(entry, "start", "end", (const double[2]){a->start, a->end}, a->stage);
 }
 
 /* Powers of 2, so that the unit stays one. */
@@ -123,6 +121,25 @@ int dem_cell_refuse(const struct dem *d)
                     && p->applied_forces.n == 0, DEM_ERROR_INPUT,
                 "domain/cell does not go with a coupled fluid, forces, streams, groups with `at`, outlets "
                 "or planes; remove them");
+    return DEM_OK;
+}
+
+int dem_cell_refuse_fixed(const struct dem_state *p)
+{
+    int64_t fixed = 0;
+
+    if (!p->cell.active)
+    {
+        return DEM_OK;
+    }
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        fixed += (p->particles.record[i].flags & (DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN)) != 0;
+    }
+    dem_collect_sum_int64(&p->decomposition, &fixed, 1);
+    DEM_REQUIRE(fixed == 0, DEM_ERROR_INPUT,
+                "domain/cell, and %lld particles are frozen or driven, but a cell moves all of them with its "
+                "flow; let them be free, or leave the cell out", (long long)fixed);
     return DEM_OK;
 }
 

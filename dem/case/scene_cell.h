@@ -11,6 +11,7 @@
 #include "particles/domain.h"
 
 struct dem;
+struct dem_state;
 struct dem_text;
 
 /* Read it once the domain is complete, which gets a unit of length with room to grow. */
@@ -18,6 +19,9 @@ int dem_scene_read_cell(struct dem_cell *, struct dem_domain *, const struct dem
 
 /* Once effects, walls and insertion are known. */
 int dem_cell_refuse(const struct dem *);
+
+/* Collective. Once particles are there: none is frozen or driven. */
+int dem_cell_refuse_fixed(const struct dem_state *);
 
 /* A line with @ of the text of the scene in a snapshot, and the state that it holds. */
 void dem_cell_describe(const struct dem *, struct dem_text *);

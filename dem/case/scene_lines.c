@@ -134,6 +134,8 @@ static const char not_again[] =
 static const char anew[] =
     "the wall begins anew where the scene puts it, without the history of its contacts";
 
+static const char comes[] = "the group comes at its time `at`";
+
 /* entries that give a wall its form and place */
 static const char *const forms[] = {"type", "point", "normal", "centre", "axis", "radius",
                                     "particles", "min", "max", "corners", "file", "scale"};
@@ -182,19 +184,22 @@ static const struct dem_scene_line *find_line(const struct dem_scene_lines *all,
     return from < all->n && dem_scene_lines_compare(&all->line[from], &key) == 0 ? &all->line[from] : NULL;
 }
 
-/* 1 when the group of `insert` that this line belongs to is a stream, or comes later. */
-int dem_scene_line_is_stream(const struct dem_scene_lines *all, const struct dem_scene_line *l)
+/* An entry of the group of `insert` that this line belongs to. */
+static const struct dem_scene_line *find_of_group(const struct dem_scene_lines *all,
+                                                  const struct dem_scene_line *l, const char *entry)
 {
     char path[128], name[64];
 
-    dem_scene_line_part(l, 1, name);
-    snprintf(path, sizeof path, "insert/%s/at", name);
-    const int later = find_line(all, path) != NULL;
+    snprintf(path, sizeof path, "insert/%s/%s", dem_scene_line_part(l, 1, name), entry);
+    return find_line(all, path);
+}
 
-    snprintf(path, sizeof path, "insert/%s/type", name);
-    const struct dem_scene_line *const type = find_line(all, path);
+/* 1 when the group of `insert` that this line belongs to is a stream, or comes later. */
+int dem_scene_line_is_stream(const struct dem_scene_lines *all, const struct dem_scene_line *l)
+{
+    const struct dem_scene_line *const type = find_of_group(all, l, "type");
 
-    return later || (type && type->size == 6 && memcmp(type->value, "stream", 6) == 0);
+    return find_of_group(all, l, "at") || (type && type->size == 6 && memcmp(type->value, "stream", 6) == 0);
 }
 
 const char *dem_scene_line_becomes(const struct dem_scene_lines *all, const struct dem_scene_line *l, enum dem_line_change change)
@@ -211,6 +216,10 @@ const char *dem_scene_line_becomes(const struct dem_scene_lines *all, const stru
     if (strcmp(section, "insert") == 0 && entry[0] && !dem_scene_line_is_stream(all, l))
     {
         return not_again;
+    }
+    if (strcmp(section, "insert") == 0 && change == DEM_LINE_NEW && !entry[0] && find_of_group(all, l, "at"))
+    {
+        return comes;
     }
     while (r->section
            && !(strcmp(r->section, section) == 0 && (!r->entry || strcmp(r->entry, entry) == 0)))

@@ -36,9 +36,7 @@ int dem_scene_read_times(const struct dem_dict *dict, double *start, double *end
     DEM_REQUIRE(from || fabs(*start) < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
                 "%s: start %g s; give a time within %g s of 0", dem_dict_where(dict), *start,
                 DEM_MOTION_LIMIT);
-    DEM_REQUIRE(to ? from < to : from || *end > *start, DEM_ERROR_INPUT, "%s: end %g s is not after start %g s",
-                dem_dict_where(dict), *end, *start);
-    return DEM_OK;
+    return dem_dict_check_times(dict, "start", "end", (const double[2]){*start, *end}, (const int[2]){from, to});
 }
 
 int dem_scene_read_time_table(const struct dem_dict *dict, const char *const *names, int n,

@@ -155,10 +155,7 @@ static int read_presence(struct dem_walls *w, struct dem_wall *wall, const struc
 
     DEM_TRY(dem_dict_time_or(dict, "from", -INFINITY, &wall->there[0], &stage[0]));
     DEM_TRY(dem_dict_time_or(dict, "until", INFINITY, &wall->there[1], &stage[1]));
-    DEM_REQUIRE(stage[1] ? stage[0] < stage[1] : stage[0] || wall->there[0] < wall->there[1],
-                DEM_ERROR_INPUT,
-                "%s: wall %s is there until a time that is not after its time `from`; give a later "
-                "one", dem_dict_where(dict), wall->name);
+    DEM_TRY(dem_dict_check_times(dict, "from", "until", wall->there, stage));
     w->passing += dem_dict_has(dict, "from") || dem_dict_has(dict, "until");
     return DEM_OK;
 }

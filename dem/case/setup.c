@@ -16,6 +16,7 @@
  */
 #include "case/dem_case.h"
 #include "case/restart.h"
+#include "case/scene_cell.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "records/snapshot.h"
@@ -288,6 +289,7 @@ static int set_up(struct dem_case *c)
 
     DEM_TRY(c->checked ? DEM_OK : dem_api_read_scene(c));
     DEM_TRY(place_particles(c));
+    DEM_TRY(dem_cell_refuse_fixed(&d->state));
     d->driven = dem_totals_any_driven(&d->state);
     if (has_energy_balance(c))
     {

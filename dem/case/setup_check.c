@@ -26,6 +26,27 @@ static int wall_with_frame(const struct dem_walls *w, int frame)
     return wall;
 }
 
+/* Rows that the step of the contacts, or a shorter one of the scene, does not resolve. */
+static int check_rows(const struct dem *d)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    const struct dem_walls *const w = &d->state.walls;
+    const double step = d->scene.step > 0.0 ? fmin(d->scene.step, r->step_limit) : r->step_limit;
+    double time[2];
+
+    for (int k = 0; k < w->frames && !r->motionless && step < DBL_MAX; k++)
+    {
+        const int wall = wall_with_frame(w, k);
+
+        DEM_REQUIRE(wall == w->walls || !w->frame[k].compound
+                        || !dem_compound_motion_dense_rows(w->frame[k].compound, step, time), DEM_ERROR_INPUT,
+                    "wall %s: the rows of %.9g and %.9g s of its motion are nearer than 4 steps of %.3g s (%s); "
+                    "give fewer rows, or a shorter time/step", w->wall[wall].name, time[0], time[1], step,
+                    d->scene.step > 0.0 && step < r->step_limit ? "time/step" : r->why);
+    }
+    return DEM_OK;
+}
+
 /* The step resolves oscillations and rotations of walls. */
 static void limit_step_by_walls(struct dem_interaction_table *r, const struct dem_walls *w)
 {
@@ -155,6 +176,7 @@ int dem_api_finish_physics(struct dem *d)
     }
     int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
 
+    status = status ? status : check_rows(d);
     if (!status)
     {
         limit_step_by_walls(&p->interaction_table, &p->walls);

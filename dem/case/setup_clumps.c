@@ -46,6 +46,7 @@ static int refuse_entries(const struct dem_case *c)
         {"parcels", d->state.interaction_table.parcels.used},
         {"a particle scalar", d->state.interaction_table.scalars > 0},
         {"forces", d->state.applied_forces.n > 0},
+        {"fluid", d->scene.fluid.given},
         {"averages", d->scene.averages > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"stresses of particles", c->virial},
@@ -90,7 +91,8 @@ int dem_api_check_clumps(const struct dem_case *c)
     return s->n > 0 ? refuse_entries(c) : DEM_OK;
 }
 
-/* A snapshot may be damaged, or of a scene with other shapes or densities. */
+/* A snapshot may be damaged, or of a scene with other shapes or densities; a spin may be too large for the
+   step. */
 static int check_body(const struct dem *d, size_t i)
 {
     const struct dem_particles *const p = &d->state.particles;
@@ -110,7 +112,7 @@ static int check_body(const struct dem *d, size_t i)
                 "density of %s, %g kg/m3; keep the shapes and densities of the run that wrote the "
                 "snapshot, and add others under new names", (long long)p->record[i].id, b->mass,
                 m->name, m->density);
-    return DEM_OK;
+    return b ? dem_clump_check_spin(b, &p->record[i], d->step, DEM_ERROR_INPUT) : DEM_OK;
 }
 
 /* Bodies of a snapshot come with their state, and need the column of it. */

@@ -149,27 +149,6 @@ int dem_scene_read_stages(struct dem_run_stages *s, const struct dem_dict *scene
     return DEM_OK;
 }
 
-int dem_stages_check(const struct dem *d)
-{
-    const struct dem_run_stages *const s = &d->scene.stages;
-    double g[3];
-
-    dem_interaction_table_gravity(&d->state.interaction_table, g);
-    DEM_REQUIRE(!d->coupled || (s->n == 0 && d->state.walls.passing == 0), DEM_ERROR_INPUT,
-                "the scene has stages, or walls with from or until, which act between windows that only "
-                "a run without a coupled fluid has; remove them");
-    for (int k = 0; k < s->n; k++)
-    {
-        const struct dem_quiet *const q = &s->stage[k].quiet;
-
-        DEM_REQUIRE(s->stage[k].until != DEM_UNTIL_QUIET || dem_vec_norm(g) > 0.0
-                        || (q->speed > 0.0 && q->lasting > 0.0), DEM_ERROR_INPUT,
-                    "stages/%s: rest is compared with the energy of falling by a diameter, but there "
-                    "is no gravity; give until { speed; lasting; }, or add gravity", s->stage[k].name);
-    }
-    return DEM_OK;
-}
-
 /* ---- times that a stage sets ----------------------------------------------------------------- */
 
 static void set_time(double *time, int stage, int begun, double begin)

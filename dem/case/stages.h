@@ -11,7 +11,7 @@
  *
  * Wherever a time stands in the scene, the name of a stage means its beginning: `start`, `end` of motions
  * and streams, `at` of groups, `from`, `until` of walls. Before that these times are infinite.
- * run/stage_tests.c tests whether a stage has ended; here the entry is read, times that a stage sets
+ * What can never end is refused (stages_check.c). run/stage_tests.c tests whether a stage has ended; here the entry is read, times that a stage sets
  * are handed on, and what a snapshot knows of them is written and read.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -63,7 +63,7 @@ struct dem_run_stages
 /* Read the entry. Walls have been read. */
 int dem_scene_read_stages(struct dem_run_stages *, const struct dem_dict *scene, const struct dem_walls *);
 
-/* What can be checked once effects and program are known. */
+/* What can be checked once effects and program are known (stages_check.c). */
 int dem_stages_check(const struct dem *);
 
 /* Stage k begins at `time` [s]: all times that name it become known. */

@@ -84,6 +84,9 @@ const struct dem_residence *dem_residence(const struct dem *, int k);
 /* The name of stage k of the scene, from 0; NULL behind the last. *begin: when it began [s], infinite if it
    has not; *why: what has ended the stage before it, "" where it is not known. */
 const char *dem_run_stage(const struct dem *, int k, double *begin, const char **why);
+/* A line for each stage that has not begun, with what the one before waits for and what waits for it; "" where
+   all have begun. Valid until the next call of this thread. */
+int dem_stages_left_text(const struct dem *, const char **text);
 int dem_stages_over(const struct dem *);  /* 1: the last stage has ended */
 
 /* ---- a cell that deforms ---------------------------------------------------------------------- */

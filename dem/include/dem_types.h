@@ -68,6 +68,7 @@ struct dem_step_limit
 struct dem_totals
 {
     int64_t particles, steps, contacts;
+    int64_t clumps;             /* rigid bodies of several particles */
     int64_t rebuilds, prunes;   /* of the outer and the inner neighbor list */
     double time;                /* s  since the start of the scene */
     double kinetic;             /* J  translation and rotation */

@@ -77,6 +77,9 @@ int dem_dict_int64_or(const struct dem_dict *d, const char *name, int64_t fallba
    *stage its number from 1, else 0. */
 int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback, double *value,
                      int *stage);
+/* The entry `last` must come after `first`: as stages, or as times [s]. */
+int dem_dict_check_times(const struct dem_dict *d, const char *first, const char *last,
+                         const double time[2], const int stage[2]);
 /* yes no on off true false */
 int dem_dict_switch(const struct dem_dict *d, const char *name, bool *value);
 int dem_dict_switch_or(const struct dem_dict *d, const char *name, bool fallback, bool *value);

@@ -11,6 +11,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum
@@ -69,4 +70,32 @@ int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback
     DEM_TRY(dem_dict_word(d, name, &word));
     *value = INFINITY;
     return find_stage(stages, e, word, stage);
+}
+
+/* As it stands in the scene: a stage, or a number. */
+static void print_time(const struct dem_dict *d, const char *name, double time, int stage, char text[64])
+{
+    const struct dem_entry *const e = dem_dict_find(d, name, strlen(name));
+
+    if (stage && e)
+    {
+        snprintf(text, 64, "%.60s", e->tokens[0].text);
+    }
+    else
+    {
+        snprintf(text, 64, "%g s", time);
+    }
+}
+
+int dem_dict_check_times(const struct dem_dict *d, const char *first, const char *last,
+                         const double time[2], const int stage[2])
+{
+    char begin[64], end[64];
+
+    print_time(d, first, time[0], stage[0], begin);
+    print_time(d, last, time[1], stage[1], end);
+    DEM_REQUIRE(stage[1] ? stage[0] < stage[1] : stage[0] || time[0] < time[1], DEM_ERROR_INPUT,
+                "%s: %s: %s %s is not after %s %s; give a later one", dem_dict_where(d), dem_dict_path(d),
+                last, end, first, begin);
+    return DEM_OK;
 }

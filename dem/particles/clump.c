@@ -86,6 +86,22 @@ void dem_clump_spin(const struct dem_clump *b, double w[3])
     dem_clump_rotate(b->q, body, w);
 }
 
+int dem_clump_check_spin(const struct dem_clump *b, const struct dem_particle *first, double dt,
+                         int error)
+{
+    double w[3];
+
+    dem_clump_spin(b, w);
+    const double spin = dem_vec_norm(w);
+
+    DEM_REQUIRE(spin*dt <= DEM_CLUMP_MAX_TURN, error,
+                "the clump of particle %lld at (%g %g %g) m turns by %.3g rad in a step of %.3g s, at %.3g 1/s; "
+                "the limit is %g rad; use a time/step of at most %.3g s, or check its spin and the forces on it",
+                (long long)first->id, b->x[0], b->x[1], b->x[2], spin*dt, dt, spin, DEM_CLUMP_MAX_TURN,
+                DEM_CLUMP_MAX_TURN/spin);
+    return DEM_OK;
+}
+
 static void share_of_body(const struct dem_clump *b, struct dem_particle_share *s)
 {
     double body[3];

@@ -91,6 +91,12 @@ void dem_clump_product(const double a[4], const double b[4], double out[4]);
 /* Angular velocity [1/s]. */
 void dem_clump_spin(const struct dem_clump *, double w[3]);
 
+/* rad  in a step, by which a clump turns at most */
+#define DEM_CLUMP_MAX_TURN 0.3
+
+/* `error` when the clump of this sphere turns further in a step of dt [s]. */
+int dem_clump_check_spin(const struct dem_clump *, const struct dem_particle *, double dt, int error);
+
 /* What a particle adds to sums over all of them: a single sphere its own, the first sphere of a body
    the body's, the others nothing. */
 struct dem_particle_share

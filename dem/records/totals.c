@@ -142,20 +142,22 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 {
     struct dem_sum sum[SUMS] = {0};
     double value[SUMS], g[3];
-    int64_t count[3] = {(int64_t)p->particles.n, dem_totals_touching(p), 0};
+    int64_t count[4] = {(int64_t)p->particles.n, dem_totals_touching(p), 0, 0};
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
         add_particle(sum, p, i);
-        count[2] += dem_clump_counts(&p->particles.record[i]);
+        count[2] += p->particles.record[i].body == p->particles.record[i].id + 1;
+        count[3] += dem_clump_counts(&p->particles.record[i]);
     }
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_interaction_table_gravity(&p->interaction_table, g);
-    dem_collect_sum_int64(&p->decomposition, count, 3);
+    dem_collect_sum_int64(&p->decomposition, count, 4);
     dem_collect_max_double(&p->decomposition, &p->limits.overlap, 1);
     *t = (struct dem_totals){.particles = count[0],
                              .steps = p->steps,
                              .contacts = count[1],
+                             .clumps = count[2],
                              .rebuilds = p->rebuilds,
                              .prunes = p->prunes,
                              .time = p->time,
@@ -168,7 +170,7 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
                                                                (double)count[0]
                                                          : 0.0,
                              .weight = dem_vec_norm(g)*value[7],
-                             .bodies = count[2]};
+                             .bodies = count[3]};
     p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
     p->limits.overlap = 0.0;
     if (p->contacts.forces.has_energy)

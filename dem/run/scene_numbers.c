@@ -115,6 +115,8 @@ static void set_particles(struct dem *d, const struct dem_inventory *inventory,
     n->min_parcel_ratio = parcels->used ? parcels->min : 0.0;
     n->max_parcel_ratio = parcels->used ? parcels->max : 0.0;
     n->max_speed = dem_totals_max_speed(&d->state);
+    n->frozen = all->frozen > 0;
+    n->wall_bodies = d->state.walls.bodies;
     n->driven = dem_totals_any_driven(&d->state);
     n->streams = d->scene.streams.streams;
 }

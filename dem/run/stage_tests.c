@@ -19,6 +19,7 @@
 #include "run/stage_tests.h"
 #include "sources/flows.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* 1  of a step: times closer than this are the same */
@@ -163,10 +164,23 @@ static void begin_next(struct dem *d, const char *why)
     }
 }
 
+/* " lid", or " lid or gate": the walls that have come just now. */
+static const char *name_walls(const struct dem_walls *w, char names[200])
+{
+    int n = 0;
+
+    for (int k = 0; k < w->walls && n < 130; k++)
+    {
+        n += w->wall[k].came ? snprintf(names + n, 66, "%s %.60s", n > 0 ? " or" : "", w->wall[k].name) : 0;
+    }
+    return names;
+}
+
 /* A wall must not appear in particles. */
 static int refuse_inside(struct dem *d)
 {
     struct dem_state *const p = &d->state;
+    char names[200] = "";
     int status = DEM_OK, clear = 1;
 
     for (int k = 0; k < p->walls.walls; k++)
@@ -181,9 +195,9 @@ static int refuse_inside(struct dem *d)
         status = dem_wall_search_is_clear(&p->pairs.wall_search, &p->walls, &q, &clear);
         if (!status && !clear)
         {
-            status = dem_error(DEM_ERROR_INPUT, "a wall appears at %g s (its entry `from`) where particle "
-                               "%lld is, at (%g %g %g) m; let it appear later, or elsewhere", p->time,
-                               (long long)q.id, q.x[0], q.x[1], q.x[2]);
+            status = dem_error(DEM_ERROR_INPUT, "wall%s appears at %g s (its entry `from`) where "
+                               "particle %lld is, at (%g %g %g) m; let it appear later, or elsewhere",
+                               name_walls(&p->walls, names), p->time, (long long)q.id, q.x[0], q.x[1], q.x[2]);
         }
     }
     for (int k = 0; k < p->walls.walls; k++)

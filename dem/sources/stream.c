@@ -49,10 +49,7 @@ static int read_rate(struct dem_stream *s, const struct dem_dict *dict)
                 s->by_mass ? "massRate" : "rate", s->rate);
     DEM_TRY(dem_dict_time_or(dict, "start", 0.0, &s->start, &s->stage[0]));
     DEM_TRY(dem_dict_time_or(dict, "end", INFINITY, &s->end, &s->stage[1]));
-    DEM_REQUIRE(s->stage[1] ? s->stage[0] < s->stage[1] : s->stage[0] || s->start < s->end,
-                DEM_ERROR_INPUT,
-                "%s: start %g s is not before end %g s; give an earlier one", s->where, s->start,
-                s->end);
+    DEM_TRY(dem_dict_check_times(dict, "start", "end", (const double[2]){s->start, s->end}, s->stage));
     DEM_TRY(dem_dict_int64_or(dict, "count", INT64_MAX, &s->count));
     DEM_REQUIRE(s->count > 0, DEM_ERROR_INPUT, "%s: count %lld; give 1 or more, or leave it out",
                 s->where, (long long)s->count);

@@ -154,6 +154,18 @@ double dem_limits_max_speed(const struct dem_state *state)
                 (min_radius_of(state) - two_sided_displacement(&state->walls))/state->dt);
 }
 
+static int check_turns(const struct dem_state *state)
+{
+    for (size_t k = 0; k < state->clumps.n; k++)
+    {
+        const uint32_t i = state->clumps.member[state->clumps.start[k]];
+
+        DEM_TRY(dem_clump_check_spin(dem_clump_at(&state->particles, i), &state->particles.record[i],
+                                     state->dt, DEM_ERROR_NUMBER));
+    }
+    return DEM_OK;
+}
+
 int dem_limits_check_displacements(const struct dem_state *state, double max_speed)
 {
     const double light = dem_particle_max_speed, dt = state->dt;
@@ -205,5 +217,5 @@ int dem_limits_check_displacements(const struct dem_state *state, double max_spe
             (long long)q->id, q->x[0], q->x[1], q->x[2], speed*dt, (long long)state->steps, wall,
             q->radius);
     }
-    return DEM_OK;
+    return check_turns(state);
 }

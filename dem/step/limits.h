@@ -22,7 +22,7 @@ int dem_limits_check_status(const struct dem_state *);
    wall has moved too far. A particle that moves by more than its radius in one step may pass
    another, or triangles, unseen, and so may triangles that move towards it; the limit is the
    smallest radius of the materials with contact effects. Speeds above time/maxSpeed and above the
-   speed of light are errors, too. */
+   speed of light are errors, too, and clumps that turn too far. */
 int dem_limits_check_displacements(const struct dem_state *, double max_speed);
 
 /* Largest speed [m/s] with which no particle fails this check. */

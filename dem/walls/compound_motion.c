@@ -183,6 +183,25 @@ double dem_compound_motion_time_limit(const struct dem_compound_motion *c, const
     return least;
 }
 
+int dem_compound_motion_dense_rows(const struct dem_compound_motion *c, double step, double time[2])
+{
+    for (int k = 0; k < c->parts; k++)
+    {
+        const struct dem_time_table *const t = c->part[k].table;
+
+        for (size_t i = 0; t && i + 1 < t->rows; i++)
+        {
+            if (t->row[i + 1].time - t->row[i].time < row_steps*step*(1.0 - 1e-9))
+            {
+                time[0] = t->row[i].time;
+                time[1] = t->row[i + 1].time;
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 static const double *part_axis(const struct dem_motion_part *p)
 {
     double rate[DEM_TIME_TABLE_COLUMNS] = {0.0};

@@ -57,6 +57,10 @@ void dem_compound_motion_velocity(const struct dem_compound_motion *, const doub
 /* As dem_motion_time_limit; a table is resolved by 4 steps between two rows. */
 double dem_compound_motion_time_limit(const struct dem_compound_motion *, const char **why);
 
+/* The first two rows of a table that are nearer than those 4 steps of `step` [s]: their times [s];
+   returns 0 when there are none. */
+int dem_compound_motion_dense_rows(const struct dem_compound_motion *, double step, double time[2]);
+
 /* Bound of the speed [m/s] of the points of a box. */
 double dem_compound_motion_speed(const struct dem_compound_motion *, const double (*box)[3]);
 

@@ -311,7 +311,7 @@ static void refusals(void)
     refuse_table("z\n0\n1\n", "names the columns: time");
     refuse_table("time, z\n0, 0\n", "give at least two");
     refuse_table("time, z\n0, 0\n2e-5, 0\n1, 1\n",
-                 "1/4 of the time between two rows of the motion of wall w");
+                 "wall w: the rows of 0 and 2e-05 s of its motion are nearer than 4 steps");
     refuse_table("time, z\n0, 0\n1e-3, 1\n1, 1\n", "its motion reaches");
     refuse_table("time, angle\n0, 0\n1, 1\n", "origin");
     refuse("type plane; material rigid; point (0 0 0); normal (0 0 1);", twist, "would tilt it");

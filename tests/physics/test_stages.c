@@ -130,7 +130,7 @@ static void test_lid_that_comes(void)
     dem_free(d);
     d = world(GLASS "time { step 5e-6; } walls { " FLOOR "from 0.001; } } "
               "insert { ball { type list; diameter 1e-3; positions ((0 0 0)); } } ", 0, NULL);
-    TAP_OK(dem_advance(d, 0.01) == DEM_ERROR_INPUT && strstr(dem_error_text(), "appears"),
+    TAP_OK(dem_advance(d, 0.01) == DEM_ERROR_INPUT && strstr(dem_error_text(), "wall floor appears"),
            "a wall that comes inside a particle: %s", dem_error_text());
     dem_free(d);
 }
@@ -220,6 +220,24 @@ static void test_restart(void)
     dem_free(d);
 }
 
+/* Stages that wait for what does not come, and what waits for them. */
+static void test_left(void)
+{
+    struct dem *const d = world(
+        GLASS "time { step 5e-6; } stages { a { until { force floor; value 1e6; } } b { duration 1; } c {} } "
+        "walls { " FLOOR "motion { type translation; velocity (0 0 1); start b; } } } "
+        "insert { later { type list; at b; diameter 1e-3; positions ((0 0 0.01)); } "
+        "ball { type list; diameter 1e-3; positions ((0 0 0.0005)); } } ", 0, NULL);
+    const char *text;
+
+    world_run(d, 1e-3);
+    WORLD_TRY(dem_stages_left_text(d, &text));
+    TAP_OK(strcmp(text, "stage b never began: a waits for 1e+06 N on wall floor; for it waited group later, the "
+                        "motion of wall floor\nstage c never began: b lasts 1 s\n") == 0,
+           "stages that have not begun, and what waits for them: %.60s ...", text);
+    dem_free(d);
+}
+
 /* ---- refusals -------------------------------------------------------------------------------- */
 
 static void test_refusals(void)
@@ -235,7 +253,13 @@ static void test_refusals(void)
         {"stages { a { duration 1; } } insert { b { type lattice; at a; diameter 1e-3; min (0 0 0); max (1 1 "
          "1); } }", "type random or list"},
         {"stages { a { duration 1; } b {} } insert { b { type stream; start b; end a; rate 1; diameter 1e-3; "
-         "min (0 0 0); max (1 1 1); } }", "is not before end"}};
+         "min (0 0 0); max (1 1 1); } }", "end a is not after start b"},
+        {"stages { a { until { force f; value 1; } } b {} } walls { f { type plane; point (0 0 0); normal (0 0 1); "
+         "from b; } }", "stages/a waits for a force on wall f, which comes only with stages/b"},
+        {"stages { a { duration 1; } b { until { force f; value 1; } } } walls { f { type plane; point (0 0 0); "
+         "normal (0 0 1); until b; } }", "stages/b waits for a force on wall f, which goes with stages/b"},
+        {"stages { a { until { force f; } } b {} } walls { f { type plane; point (0 0 0); normal (0 0 1); "
+         "motion { type servo; force 1; maxSpeed 1; start b; } } }", "whose servo starts only with stages/b"}};
 
     for (size_t k = 0; k < sizeof cases/sizeof *cases; k++)
     {
@@ -262,6 +286,7 @@ int main(void)
     test_lid_that_comes();
     test_groups();
     test_restart();
+    test_left();
     test_refusals();
     unlink(file);
     TAP_DONE;

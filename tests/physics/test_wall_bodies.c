@@ -538,6 +538,10 @@ static void refusals(void)
     refuse("type free; mass 1; axes (x x);", "axes has x twice");
     refuse("type servo; maxSpeed 1; axis (0 0 -1); force 1; pressure 1; area 1;", "one of the two");
     refuse("type servo; maxSpeed 1; force 1;", "axis");
+    refuse("type servo; maxSpeed 1; axis (0 0 -1); force -1;", "give a number above 0");
+    refuse("type servo; maxSpeed 1; axis (0 0 -1); pressure 0; area 1;", "give a number above 0");
+    /* 2 kg at 3 m from the axis along z */
+    refuse("type hinge; origin (0 0 0); axis (0 0 1); inertia 17; mass 2; centre (0 3 5);", "at least 18 kg m2");
     refuse("type hinge; origin (0 0 0); axis (0 1 0); inertia 1; stops (0.1 0.2);", "stops are two angles");
     world_refused(world_text(walls, "type plane; point (0 0 0); normal (0 0 1); motion { type free; mass 1; "
                                     "axes (x); }"), "wall w is a plane: free along its normal only");
