@@ -77,7 +77,7 @@ int dem_api_finish_physics(struct dem *);
 /* Collective. Create the particles, on each rank a part of them; reduce their radii by material
    over all ranks into the interaction table; fill the fluid columns; start streams and outlets. */
 int dem_api_create_particles(struct dem_case *);
-int dem_api_find_radii(struct dem_state *);
+int dem_api_find_radii(struct dem *);
 int dem_api_add_radii(struct dem_case *);       /* of groups, streams and the program */
 int dem_api_store_initial(struct dem *, size_t from);    /* initial particles, from number `from` on */
 int dem_api_join_initial(struct dem_case *);

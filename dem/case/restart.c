@@ -20,7 +20,8 @@
 /* the entries that the core and the coupling take; write and accuracy change no result */
 static const char *const sections[] = {
     "materials", "effects", "pairs", "parcels", "walls", "domain", "insert", "outlets", "bonds",
-    "fluid", "forces", "time", "neighbours", "averages", "coupling", "stages", "planes"};
+    "fluid", "forces", "time", "neighbours", "averages", "coupling", "stages", "planes",
+    "shapes"};
 
 static const char group_mark[] = "@group ", program_mark[] = "@program";
 

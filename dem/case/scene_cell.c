@@ -111,6 +111,9 @@ int dem_cell_refuse(const struct dem *d)
                     "to its flow, and there is no gravity or fluid; remove one of them",
                     r->effect[k]->name);
     }
+    DEM_REQUIRE(d->scene.averages == 0, DEM_ERROR_INPUT,
+                "domain/cell and averages: grids of averages stay where they are and do not follow a cell; "
+                "remove one of them");
     DEM_REQUIRE(d->scene.shapes.n == 0, DEM_ERROR_INPUT,
                 "domain/cell and shapes: rigid bodies of several spheres do not follow a cell; remove one of "
                 "them");

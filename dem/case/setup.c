@@ -84,7 +84,7 @@ static int prepare_physics(struct dem_case *c)
 
     if (c->load_path[0])
     {
-        DEM_TRY(dem_api_find_radii(p));
+        DEM_TRY(dem_api_find_radii(d));
         DEM_TRY(dem_api_agree(d, dem_api_add_radii(c)));
         DEM_TRY(dem_api_finish_physics(d));
     }

@@ -214,8 +214,8 @@ int dem_api_add_radii(struct dem_case *c)
     struct dem_interaction_table *const r = &d->state.interaction_table;
     int m;
 
-    dem_insert_radii(&d->scene.insertion, r->min_radius, r->max_radius);
-    dem_streams_radii(&d->scene.streams, r->min_radius, r->max_radius);
+    dem_insert_radii(&d->scene.insertion, r->min_radius, r->max_radius, r->body_volume);
+    dem_streams_radii(&d->scene.streams, r->min_radius, r->max_radius, r->body_volume);
     for (size_t k = 0; k < c->initial.n; k++)
     {
         const double radius = c->initial.particle[k].radius;

@@ -20,6 +20,11 @@ static int refuse_effects(const struct dem_interaction_table *r)
                     DEM_ERROR_INPUT,
                     "shapes: effects/%s acts on single spheres, gravity alone acts on clumps; leave out "
                     "one of the two", e->name);
+        /* a spring against rolling is not bounded by the inertia of one sphere */
+        DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || (e->mechanism == DEM_MECHANISM_ROLLING && e->history),
+                    DEM_ERROR_INPUT,
+                    "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
+                    "form resists rolling; leave it out, or take rollingSpring", e->name);
         DEM_REQUIRE(e->stage != DEM_STAGE_BOND && e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
                     "shapes: effects/%s does not work with clumps yet; leave out one of the two",
                     e->name);
@@ -86,10 +91,14 @@ int dem_api_check_clumps(const struct dem_case *c)
     return s->n > 0 ? refuse_entries(c) : DEM_OK;
 }
 
-/* A snapshot may be damaged; a spin may be too large for the step. */
-static int check_body(const struct dem_particles *p, size_t i, double step)
+/* A snapshot may be damaged, or of a scene with other shapes or densities; a spin may be too large for the
+   step. */
+static int check_body(const struct dem *d, size_t i)
 {
+    const struct dem_particles *const p = &d->state.particles;
     const struct dem_clump *const b = dem_clump_of(p, i);
+    const struct dem_material *const m =
+        &d->state.interaction_table.material[p->record[i].material];
 
     DEM_REQUIRE(!b || (b->mass > 0.0 && b->inertia[0] > 0.0 && b->inertia[1] > 0.0 &&
                        b->inertia[2] > 0.0 &&
@@ -98,7 +107,12 @@ static int check_body(const struct dem_particles *p, size_t i, double step)
                 DEM_ERROR_FILE,
                 "particle %lld belongs to a clump without mass or orientation: the snapshot is damaged; "
                 "use another one", (long long)p->record[i].id);
-    return b ? dem_clump_check_spin(b, &p->record[i], step, DEM_ERROR_INPUT) : DEM_OK;
+    DEM_REQUIRE(!b || dem_clump_shapes_with_volume(&d->scene.shapes, b->mass/m->density), DEM_ERROR_INPUT,
+                "particle %lld belongs to a clump of %.9g kg, which no shape of the scene has with the "
+                "density of %s, %g kg/m3; keep the shapes and densities of the run that wrote the "
+                "snapshot, and add others under new names", (long long)p->record[i].id, b->mass,
+                m->name, m->density);
+    return b ? dem_clump_check_spin(b, &p->record[i], d->step, DEM_ERROR_INPUT) : DEM_OK;
 }
 
 /* Bodies of a snapshot come with their state, and need the column of it. */
@@ -110,7 +124,7 @@ int dem_api_begin_clumps(struct dem *d)
 
     for (size_t i = 0; i < p->particles.n && column; i++)
     {
-        DEM_TRY(check_body(&p->particles, i, d->step));
+        DEM_TRY(check_body(d, i));
     }
     for (size_t i = 0; i < p->particles.n && !column; i++)
     {

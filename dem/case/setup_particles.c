@@ -62,7 +62,8 @@ static int add_every_nth(struct dem_case *c, int64_t *id)
                     "dem_case_add_particles: id %lld leaves no next one; give a smaller number",
                     (long long)whole.id);
         next = id[k] >= next ? id[k] + 1 : next;
-        dem_initial_particles_count(all, 1, 2.0*whole.radius, whole.mass, whole.material);
+        dem_initial_particles_count(all, 1, 2.0*whole.radius, dem_particle_volume(&whole), whole.mass,
+                                    whole.material);
         if (k%(size_t)d->state.decomposition.ranks == (size_t)d->state.decomposition.rank)
         {
             DEM_TRY(dem_initial_particles_add(all, whole, "dem_case_add_particles"));
@@ -137,16 +138,37 @@ static int find_ratios(struct dem_state *p)
     return DEM_OK;
 }
 
-int dem_api_find_radii(struct dem_state *p)
+/* Of the bodies of a material the smallest volume for the limit of the time step [m3]; not changed without one. */
+static void find_bodies(const struct dem *d, double least[DEM_MATERIALS])
 {
-    /* the smallest radii, then the negative of the largest: one reduction */
-    double min[2*DEM_MATERIALS];
+    const struct dem_particles *const p = &d->state.particles;
+
+    for (size_t i = 0; i < p->n; i++)
+    {
+        const struct dem_clump *const b = dem_clump_of(p, i);
+        const int m = p->record[i].material;
+        const struct dem_clump_shape *const s =
+            b ? dem_clump_shapes_with_volume(&d->scene.shapes,
+                                             b->mass/d->state.interaction_table.material[m].density)
+              : NULL;
+
+        least[m] = s ? fmin(least[m], s->step_volume) : least[m];
+    }
+}
+
+int dem_api_find_radii(struct dem *d)
+{
+    struct dem_state *const p = &d->state;
+    /* the smallest radii, the negative of the largest, the smallest bodies: one reduction */
+    double min[3*DEM_MATERIALS];
 
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
         min[m] = DBL_MAX;
         min[DEM_MATERIALS + m] = 0.0;
+        min[2*DEM_MATERIALS + m] = DBL_MAX;
     }
+    find_bodies(d, min + 2*DEM_MATERIALS);
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
@@ -154,12 +176,14 @@ int dem_api_find_radii(struct dem_state *p)
         min[r->material] = fmin(min[r->material], r->radius);
         min[DEM_MATERIALS + r->material] = fmin(min[DEM_MATERIALS + r->material], -r->radius);
     }
-    dem_collect_min_double(&p->decomposition, min, 2*DEM_MATERIALS);
+    dem_collect_min_double(&p->decomposition, min, 3*DEM_MATERIALS);
     DEM_TRY(dem_collect_status(&p->decomposition));
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
         p->interaction_table.min_radius[m] = min[m] < DBL_MAX ? min[m] : 0.0;
         p->interaction_table.max_radius[m] = -min[DEM_MATERIALS + m];
+        p->interaction_table.body_volume[m] =
+            min[2*DEM_MATERIALS + m] < DBL_MAX ? min[2*DEM_MATERIALS + m] : 0.0;
     }
     return p->interaction_table.parcels.used ? find_ratios(p) : DEM_OK;
 }

@@ -63,10 +63,10 @@ int dem_contacts_prune(struct dem_contacts *, const struct dem_particles *, cons
 struct dem_contact_key dem_contacts_key(const struct dem_contacts *, const struct dem_particles *,
                                         const struct dem_facet_key *wall_facet, uint32_t row);
 
-/* Before a rebuild: save the history of every row that has one, and free the rows. */
 /* While history is saved: pairs across the faces of y get another x, by so many lengths. */
 void dem_contacts_turn_images(struct dem_contacts *, int turns);
 
+/* Before a rebuild: save the history of every row that has one, and free the rows. */
 int dem_contacts_save_history(struct dem_contacts *, const struct dem_particles *,
                               const struct dem_facet_key *wall_facet);
 

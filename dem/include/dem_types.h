@@ -86,6 +86,7 @@ struct dem_totals
     double stored, lost;        /* J  elastic energy of bonds; dissipated by bonds and films since
                                    the start */
     double weight;              /* N  of the moving particles; 0 without gravity */
+    int64_t bodies;             /* particles, but the spheres of a clump count once */
 };
 
 /* time/untilQuiet: settings, and what the tests have found; see docs/scene-reference.md */

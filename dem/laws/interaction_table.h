@@ -83,6 +83,8 @@ struct dem_interaction_table
     double min_radius[DEM_MATERIALS];
     /* m */
     double max_radius[DEM_MATERIALS];
+    /* m3, of clumps of a material for the limit of the time step (particles/clump_shape.h); 0: none */
+    double body_volume[DEM_MATERIALS];
     /* number of effects, in the order of stages */
     int chosen;
     const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];

@@ -33,6 +33,14 @@ static double sphere_mass(double density, double radius)
     return density*4.0/3.0*3.14159265358979323846*radius*radius*radius;
 }
 
+/* Mass [kg] of the smallest particle of a material, for limits of the time step. */
+static double min_mass(const struct dem_interaction_table *r, int m, double density)
+{
+    const double sphere = sphere_mass(density, r->min_radius[m]);
+
+    return r->body_volume[m] > 0.0 ? fmin(sphere, density*r->body_volume[m]) : sphere;
+}
+
 static struct dem_pair_class pair_class(const struct dem_interaction_table *r, int with_wall, int a,
                                         int b)
 {
@@ -61,8 +69,8 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     }
     /* no added mass resists turning: springs that turn particles set the step as without it */
     c.added_density = turned ? 0.0 : c.added_density;
-    const double of_a = sphere_mass(m->density + c.added_density, Ra),
-                 of_b = sphere_mass(o->density + c.added_density, Rb);
+    const double of_a = min_mass(r, a, m->density + c.added_density),
+                 of_b = min_mass(r, b, o->density + c.added_density);
 
     c.min_mass = with_wall ? of_a : 1.0/(1.0/of_a + 1.0/of_b);
     return c;

@@ -15,7 +15,7 @@
 
 enum
 {
-    COLUMNS = 1024                    /* along x and y */
+    COLUMNS = 1024                    /* along x and y, at least */
 };
 
 struct moments    /* integrals of 1, x, and x x^T over a body, about `origin` */
@@ -119,16 +119,91 @@ static void add_column(const struct dem_clump_shape *s, struct moments *m, const
     }
 }
 
+/* Largest width of a column [m]. */
+static double width(const struct dem_clump_shape *s)
+{
+    double sum[3] = {0.0, 0.0, 0.0};
+
+    for (size_t k = 0; k < s->n; k++)
+    {
+        const double r = s->sphere[k][3];
+
+        sum[0] += r;
+        sum[1] += r*r;
+        sum[2] += r*r*r;
+    }
+    return fmax(sqrt(sum[2]/sum[0])/150.0, sqrt(3.14159265358979324*sum[1]/8e6));
+}
+
+/* The spheres that a row of columns meets at y, in the order of where they begin, and the first and last
+   column of each. */
+struct row
+{
+    size_t n;
+    double sphere[DEM_CLUMP_SPHERES][4];
+    long range[DEM_CLUMP_SPHERES][2];
+};
+
+static void find_row(struct row *w, const struct dem_clump_shape *s, const struct moments *m, double y,
+                     double half, double h)
+{
+    w->n = 0;
+    for (size_t k = 0; k < s->n; k++)
+    {
+        const double *const c = s->sphere[k];
+        const double d = y - (c[1] - m->origin[1]), x = c[0] - m->origin[0] + half;
+
+        if (fabs(d) < c[3])
+        {
+            const double reach = sqrt(c[3]*c[3] - d*d);
+            const long from = (long)fmax(0.0, floor((x - reach)/h - 0.5));
+            size_t at = w->n++;
+
+            for (; at > 0 && w->range[at - 1][0] > from; at--)
+            {
+                memcpy(w->range[at], w->range[at - 1], sizeof *w->range);
+                memcpy(w->sphere[at], w->sphere[at - 1], sizeof *w->sphere);
+            }
+            w->range[at][0] = from;
+            w->range[at][1] = (long)ceil((x + reach)/h - 0.5);
+            memcpy(w->sphere[at], c, sizeof *w->sphere);
+        }
+    }
+}
+
+/* Only columns that meet a sphere, with the spheres that they may meet. */
 static void add_columns(const struct dem_clump_shape *s, struct moments *m, const double half[3])
 {
-    const double h[2] = {2.0*half[0]/COLUMNS, 2.0*half[1]/COLUMNS};
+    const double most = width(s);
+    const long n[2] = {(long)fmax(COLUMNS, ceil(2.0*half[0]/most)),
+                       (long)fmax(COLUMNS, ceil(2.0*half[1]/most))};
+    const double h[2] = {2.0*half[0]/(double)n[0], 2.0*half[1]/(double)n[1]};
+    struct row w;
 
-    for (int j = 0; j < COLUMNS; j++)
+    for (long j = 0; j < n[1]; j++)
     {
-        for (int i = 0; i < COLUMNS; i++)
+        const double y = ((double)j + 0.5)*h[1] - half[1];
+        struct dem_clump_shape near = {.n = 0};
+        size_t first = 0, end = 0;
+
+        find_row(&w, s, m, y, half[0], h[0]);
+        for (long i = w.n > 0 ? w.range[0][0] : n[0]; i < n[0]; i++)
         {
-            add_column(s, m, (const double[2]){(i + 0.5)*h[0] - half[0], (j + 0.5)*h[1] - half[1]},
-                       h[0]*h[1]);
+            while (end < w.n && w.range[end][0] <= i)
+            {
+                end++;
+            }
+            while (first < end && w.range[first][1] < i)
+            {
+                first++;
+            }
+            if (first == end && end == w.n)
+            {
+                break;
+            }
+            near.sphere = (const double (*)[4])(w.sphere + first);
+            near.n = end - first;
+            add_column(&near, m, (const double[2]){((double)i + 0.5)*h[0] - half[0], y}, h[0]*h[1]);
         }
     }
 }
@@ -193,6 +268,27 @@ static void quaternion(double R[3][3], double q[4])
     }
 }
 
+/* See clump_shape.h. */
+static double step_volume(const struct dem_clump_shape *s)
+{
+    double contacts = (double)s->n;
+
+    for (int a = 0; a < 3; a++)
+    {
+        const int b = (a + 1)%3, c = (a + 2)%3;
+        double squares = 0.0;
+
+        for (size_t k = 0; k < s->n; k++)
+        {
+            const double *const r = s->offset[k];
+
+            squares += r[b]*r[b] + r[c]*r[c];
+        }
+        contacts = fmax(contacts, s->volume*squares/s->inertia[a]);
+    }
+    return s->volume/contacts*fmin(1.0, 4.0/contacts);
+}
+
 /* Centre, inertia and offsets from the integrals. */
 static int finish(struct dem_clump_shape *s, const struct moments *m)
 {
@@ -231,6 +327,7 @@ static int finish(struct dem_clump_shape *s, const struct moments *m)
         s->bound = fmax(s->bound, dem_vec_norm(d) + s->sphere[k][3]);
         s->solid += dem_sphere_volume(s->sphere[k][3]);
     }
+    s->step_volume = step_volume(s);
     return DEM_OK;
 }
 
@@ -338,4 +435,21 @@ int dem_clump_shapes_find(const struct dem_clump_shapes *all, const char *name, 
 
     dem_memory_free(names);
     return dem_error_prefix(status, "%s: ", where);
+}
+
+const struct dem_clump_shape *dem_clump_shapes_with_volume(const struct dem_clump_shapes *all,
+                                                           double volume)
+{
+    const struct dem_clump_shape *found = NULL;
+
+    for (size_t k = 0; k < all->n; k++)
+    {
+        const struct dem_clump_shape *const s = &all->shape[k];
+
+        if (fabs(volume - s->volume) < 1e-9*volume && (!found || s->step_volume < found->step_volume))
+        {
+            found = s;
+        }
+    }
+    return found;
 }

@@ -50,7 +50,7 @@ int dem_initial_particles_begin_group(struct dem_initial_particles *c, const cha
 }
 
 void dem_initial_particles_count(struct dem_initial_particles *c, int64_t n, double diameter,
-                                 double mass, int material)
+                                 double volume, double mass, int material)
 {
     struct dem_group_summary *const g = &c->group[c->groups - 1];
 
@@ -59,7 +59,7 @@ void dem_initial_particles_count(struct dem_initial_particles *c, int64_t n, dou
     g->min_diameter = fmin(g->min_diameter, diameter);
     g->max_diameter = fmax(g->max_diameter, diameter);
     g->sum += (double)n*diameter;
-    g->volume += (double)n*dem_sphere_volume(0.5*diameter);
+    g->volume += (double)n*volume;
     g->mass += (double)n*mass;
 }
 

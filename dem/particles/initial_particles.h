@@ -54,11 +54,12 @@ static inline double *dem_initial_particles_last_scalars(struct dem_initial_part
     return c->scalar + (c->n - 1)*(size_t)c->scalars;
 }
 
-/* Begin the summary of a group; add n equal spheres (diameter [m], mass of each [kg]) to it.
+/* Begin the summary of a group; add n equal spheres (diameter [m], solid volume [m3] and mass [kg] of
+   each) to it.
    Called on each rank for the particles of all ranks. */
 int dem_initial_particles_begin_group(struct dem_initial_particles *, const char *group);
 void dem_initial_particles_count(struct dem_initial_particles *, int64_t n, double diameter,
-                                 double mass, int material);
+                                 double volume, double mass, int material);
 
 /* An error for a spin [1/s] at which the surface of a sphere moves faster than light. */
 int dem_initial_particles_check_spin(const char *where, const double w[3], double radius);

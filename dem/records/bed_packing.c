@@ -6,6 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "records/bed_packing.h"
+#include "records/totals.h"
 #include "ranks/collect.h"
 #include <math.h>
 
@@ -28,7 +29,7 @@ static double volume_below(const struct dem_state *p, const double up[3], double
 
         if (s > -1.0 && (all || !(r->flags & DEM_PARTICLE_FROZEN)))
         {
-            volume += 0.25*(2.0 + 3.0*s - s*s*s)*dem_particle_volume(r);
+            volume += 0.25*(2.0 + 3.0*s - s*s*s)*dem_totals_volume(p, r);
         }
     }
     dem_collect_sum_double(&p->decomposition, &volume, 1);

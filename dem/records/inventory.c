@@ -28,7 +28,7 @@ static void count_particles(const struct dem_state *p, int material,
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const r = &p->particles.record[i];
-        const double d = 2.0*r->radius, volume = dem_particle_volume(r),
+        const double d = 2.0*r->radius, volume = dem_totals_volume(p, r),
                      moving = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 1.0;
         const double term[SUMS] = {d, d*d, volume, r->mass, moving*volume, moving*r->mass};
 

@@ -82,6 +82,12 @@ int64_t dem_totals_moving(const struct dem_state *p, double energy)
     return n;
 }
 
+double dem_totals_volume(const struct dem_state *p, const struct dem_particle *r)
+{
+    return r->body ? r->mass/p->interaction_table.material[r->material].density
+                   : dem_particle_volume(r);
+}
+
 static void add_particle(struct dem_sum sum[SUMS], const struct dem_state *p, size_t i)
 {
     const struct dem_particle *const r = &p->particles.record[i];
@@ -93,8 +99,7 @@ static void add_particle(struct dem_sum sum[SUMS], const struct dem_state *p, si
     {
         dem_sum_add(&sum[1 + k], s.momentum[k]);
     }
-    dem_sum_add(&sum[4], r->body ? r->mass/p->interaction_table.material[r->material].density
-                                 : dem_particle_volume(r));
+    dem_sum_add(&sum[4], dem_totals_volume(p, r));
     dem_sum_add(&sum[5], s.mass);
     dem_sum_add(&sum[6], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 2.0*r->radius);
     dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
@@ -137,16 +142,17 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 {
     struct dem_sum sum[SUMS] = {0};
     double value[SUMS], g[3];
-    int64_t count[3] = {(int64_t)p->particles.n, dem_totals_touching(p), 0};
+    int64_t count[4] = {(int64_t)p->particles.n, dem_totals_touching(p), 0, 0};
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
         add_particle(sum, p, i);
         count[2] += p->particles.record[i].body == p->particles.record[i].id + 1;
+        count[3] += dem_clump_counts(&p->particles.record[i]);
     }
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_interaction_table_gravity(&p->interaction_table, g);
-    dem_collect_sum_int64(&p->decomposition, count, 3);
+    dem_collect_sum_int64(&p->decomposition, count, 4);
     dem_collect_max_double(&p->decomposition, &p->limits.overlap, 1);
     *t = (struct dem_totals){.particles = count[0],
                              .steps = p->steps,
@@ -163,7 +169,8 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
                              .fall_energy = count[0] > 0 ? dem_vec_norm(g)*value[7]*value[6]/
                                                                (double)count[0]
                                                          : 0.0,
-                             .weight = dem_vec_norm(g)*value[7]};
+                             .weight = dem_vec_norm(g)*value[7],
+                             .bodies = count[3]};
     p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
     p->limits.overlap = 0.0;
     if (p->contacts.forces.has_energy)

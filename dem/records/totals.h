@@ -31,8 +31,11 @@ int64_t dem_totals_touching(const struct dem_state *);
 /* Collective. Sum of C s of a scalar s with the capacity C over all particles (laws/scalar.h). */
 double dem_totals_scalar(const struct dem_state *, int scalar);
 
-/* Collective. Number of particles with more kinetic energy than `energy` [J]. */
+/* Collective. Number of particles with more kinetic energy than `energy` [J]; a clump is one. */
 int64_t dem_totals_moving(const struct dem_state *, double energy);
+
+/* Solid volume [m3] of a particle; of a sphere of a clump its share of the union of them. */
+double dem_totals_volume(const struct dem_state *, const struct dem_particle *);
 
 /* Collective. Largest speed of a particle [m/s]. */
 double dem_totals_max_speed(const struct dem_state *);

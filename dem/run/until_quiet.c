@@ -12,6 +12,8 @@
  *      weight, |P - P'| <= imbalance M |g| (t - t'), with P the momentum. A soft tall bed swings:
  *      at the turning point all particles are slow at once, but their weight is not carried.
  *
+ * A clump counts once, with its mass, in the mean, too.
+ *
  * Both must hold for `lasting`. Its default is the longer of the fall by the height of the bed and
  * the period of its slowest elastic mode,
  *
@@ -91,7 +93,7 @@ static int balanced(const struct dem_quiet *q, const struct dem_totals *t)
    moves faster. */
 static int walls_move(const struct dem *d, const struct dem_quiet *q, const struct dem_totals *t)
 {
-    const double n = t->particles > 0 ? (double)t->particles : 1.0;
+    const double n = t->bodies > 0 ? (double)t->bodies : 1.0;
     const double energy = q->speed > 0.0 ? 0.5*t->mass/n*q->speed*q->speed
                                          : q->kinetic*t->fall_energy/n;
     int moves = 0;
@@ -109,7 +111,7 @@ static int walls_move(const struct dem *d, const struct dem_quiet *q, const stru
 
 int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *t)
 {
-    const double n = t->particles > 0 ? (double)t->particles : 1.0;
+    const double n = t->bodies > 0 ? (double)t->bodies : 1.0;
     double g[3];
     fenv_t caller;
 
@@ -125,7 +127,7 @@ int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *
     const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
 
     q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
-    q->since = walls_move(d, q, t) || (double)q->move > q->moving*(double)t->particles || !balanced(q, t) ? INFINITY
+    q->since = walls_move(d, q, t) || (double)q->move > q->moving*(double)t->bodies || !balanced(q, t) ? INFINITY
              : isfinite(q->since) ? q->since
                                   : t->time;
     q->reached = t->time - q->since >= q->wait*(1.0 - 1e-9);

@@ -44,8 +44,9 @@ void dem_insert_free(struct dem_insertion *);
 const char *dem_insert_name(const struct dem_insertion *, size_t k);
 void dem_insert_drop(struct dem_insertion *, size_t k);
 
-/* Extend the ranges of radii [m], one a material, by the groups' radii; 0 means none yet. */
-void dem_insert_radii(const struct dem_insertion *, double *min, double *max);
+/* Extend the ranges of radii [m], one a material, by the groups' radii; 0 means none yet. Likewise the
+   smallest volume of clumps for the limit of the time step [m3]. */
+void dem_insert_radii(const struct dem_insertion *, double *min, double *max, double *body);
 
 /* Extend the range of ratios of parcels by the groups' ratios. */
 void dem_insert_ratios(const struct dem_insertion *, struct dem_interaction_table *);

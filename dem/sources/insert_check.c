@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-void dem_insert_radii(const struct dem_insertion *i, double *min, double *max)
+void dem_insert_radii(const struct dem_insertion *i, double *min, double *max, double *body)
 {
     for (size_t k = 0; k < i->n; k++)
     {
@@ -26,6 +26,7 @@ void dem_insert_radii(const struct dem_insertion *i, double *min, double *max)
             min[b->material] = min[b->material] > 0.0 ? fmin(min[b->material], radius) : radius;
             max[b->material] = fmax(max[b->material], radius);
         }
+        dem_clump_source_limit(&b->clump, &body[b->material]);
     }
 }
 

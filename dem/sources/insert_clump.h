@@ -43,4 +43,13 @@ static inline double dem_clump_source_volume(const struct dem_clump_source *s, d
     return s->shape ? s->shape->volume : dem_sphere_volume(0.5*diameter);
 }
 
+/* Lower the smallest volume for the limit of the time step [m3] to a shape's; 0 means none yet. */
+static inline void dem_clump_source_limit(const struct dem_clump_source *s, double *least)
+{
+    if (s->shape)
+    {
+        *least = *least > 0.0 && *least < s->shape->step_volume ? *least : s->shape->step_volume;
+    }
+}
+
 #endif

@@ -225,16 +225,16 @@ static int summarize(struct dem_initial_particles *c, const struct dem_insert_gr
     for (int64_t m = 0; b->clump.shape && m < dem_clump_source_ids(&b->clump); m++)
     {
         const double d = 2.0*b->clump.shape->sphere[m][3];
+        const double volume = b->clump.shape->volume/b->clump.shape->solid*dem_sphere_volume(0.5*d);
 
-        dem_initial_particles_count(c, b->count, d, density*b->clump.shape->volume/b->clump.shape->solid*
-                                                    dem_sphere_volume(0.5*d), b->material);
+        dem_initial_particles_count(c, b->count, d, volume, density*volume, b->material);
     }
     for (int64_t m = 0; !b->clump.shape && m < (b->diameters ? b->count : 1); m++)
     {
-        const double d = dem_insert_group_diameter(b, m);
+        const double d = dem_insert_group_diameter(b, m), volume = dem_sphere_volume(0.5*d);
 
-        dem_initial_particles_count(c, b->diameters ? 1 : b->count, d,
-                                    density*dem_sphere_volume(0.5*d), b->material);
+        dem_initial_particles_count(c, b->diameters ? 1 : b->count, d, volume, density*volume,
+                                    b->material);
     }
     return DEM_OK;
 }

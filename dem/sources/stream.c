@@ -276,7 +276,7 @@ void dem_streams_free(struct dem_streams *s)
 
 /* ---- queries --------------------------------------------------------------------------------- */
 
-void dem_streams_radii(const struct dem_streams *s, double *min, double *max)
+void dem_streams_radii(const struct dem_streams *s, double *min, double *max, double *body)
 {
     for (int k = 0; k < s->streams; k++)
     {
@@ -291,6 +291,7 @@ void dem_streams_radii(const struct dem_streams *s, double *min, double *max)
             *least = *least > 0.0 ? fmin(*least, smallest) : smallest;
             *most = fmax(*most, sphere ? sphere[3] : 0.5*t->sizes.max);
         }
+        dem_clump_source_limit(&t->clump, &body[t->material]);
     }
 }
 

@@ -99,8 +99,8 @@ int dem_streams_add_wall(struct dem_streams *, const char *name, int *outlet);
 void dem_streams_free(struct dem_streams *);
 
 /* Extend the smallest and the largest radius [m], by material, to the radii of the streams; 0 means
-   none so far. */
-void dem_streams_radii(const struct dem_streams *, double *min, double *max);
+   none so far. Likewise the smallest volume of clumps for the limit of the time step [m3]. */
+void dem_streams_radii(const struct dem_streams *, double *min, double *max, double *body);
 
 /* Extend the range of ratios of parcels by the streams' ratios. */
 void dem_streams_ratios(const struct dem_streams *, struct dem_interaction_table *);

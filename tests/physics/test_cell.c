@@ -284,6 +284,8 @@ static void test_refusals(void)
          "0 0); normal (1 0 0); } }", "wall w"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } outlets { o { point (0 0 0); normal (1 0 0); } }",
          "outlets"},
+        {"domain { x (0 1); y (0 1); periodic (x y); cell { xy { rate 1; } } } averages { a { min (0 0 0); max (1 1 1); "
+         "cells (1 1 1); interval 1; } }", "averages"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } insert { a { type list; diameter 0.1; frozen yes; "
          "positions ((0 0 0.5)); } }", "frozen or driven"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } insert { a { type list; diameter 0.1; driven yes; "

@@ -18,6 +18,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/energy.h"
+#include <unistd.h>
 
 #include "case/internal.h"
 #include "core/vec.h"
@@ -84,6 +85,30 @@ static void unions(void)
     TAP_NEAR(all.shape[3].centre[0], 1.0, 1e-5, "also for the centre");
     dem_clump_shapes_free(&all);
     dem_dict_free(dict);
+}
+
+/* Spheres along (1 1 0) that share lenses: V = n sphere - (n - 1) pi (4 r + d)(2 r - d)^2/12, d = 3/2 r. */
+static void chains(void)
+{
+    for (int n = 100; n <= 250; n += 150)
+    {
+        static char text[20000];
+        size_t used = (size_t)snprintf(text, sizeof text, "shapes { chain { spheres (");
+        struct dem_dict *dict;
+
+        for (int k = 0; k < n; k++)
+        {
+            used += (size_t)snprintf(text + used, sizeof text - used, "(%.17g %.17g 0 1) ",
+                                     1.5*k/sqrt(2.0), 1.5*k/sqrt(2.0));
+        }
+        snprintf(text + used, sizeof text - used, "); } }");
+        struct dem_clump_shapes all = shapes_of(text, &dict);
+        const double exact = n*4.0/3.0*world_pi - (n - 1)*world_pi*5.5*0.25/12.0;
+
+        TAP_NEAR(all.shape[0].volume/exact, 1.0, 1e-5, "a chain of %d spheres: volume", n);
+        dem_clump_shapes_free(&all);
+        dem_dict_free(dict);
+    }
 }
 
 /* ---- free rotation --------------------------------------------------------------------------- */
@@ -350,6 +375,135 @@ static void rain(void)
     dem_free(d);
 }
 
+/* ---- time step ------------------------------------------------------------------------------- */
+
+static double step_of(const char *shape)
+{
+    struct dem *const d = world(
+        world_text("%s effects { hooke { stiffness 1e4; } } shapes { s { spheres (%s); } }"
+                   "walls { floor { type plane; material glass; point (0 0 0); normal (0 0 1); } }"
+                   "insert { one { type list; material glass; shape s; positions ((0 0 0.01)); } }",
+                   materials, shape), 0, NULL);
+    const double step = d->step;
+
+    dem_free(d);
+    return step;
+}
+
+/* One sphere: as without shapes. Two at one place have one mass and two springs. */
+static void limits(void)
+{
+    struct dem *const d = world(
+        world_text("%s effects { hooke { stiffness 1e4; } }"
+                   "walls { floor { type plane; material glass; point (0 0 0); normal (0 0 1); } }"
+                   "insert { one { type list; material glass; diameter 2e-3; positions ((0 0 0.01)); } }",
+                   materials), 0, NULL);
+    const double sphere = d->step;
+
+    dem_free(d);
+    TAP_NEAR(step_of("(0 0 0 1e-3)")/sphere, 1.0, 1e-12, "step of a body of one sphere");
+    TAP_NEAR(step_of("(0 0 0 1e-3) (0 0 1e-9 1e-3)")/sphere, sqrt(0.5), 1e-4,
+             "of two spheres at one place: 1/sqrt 2 of it");
+    TAP_NEAR(step_of("(0 0 0 1e-3) (0.01 0 0 1e-3)")/sphere, 1.0, 1e-12, "of two far apart: as of one");
+}
+
+/* A plate of 16 x 16 spheres falls flat on a floor, with the automatic step. */
+static void plate(void)
+{
+    static char text[20000];
+    size_t used = 0;
+
+    for (int k = 0; k < 256; k++)
+    {
+        used += (size_t)snprintf(text + used, sizeof text - used, "(%g %g 0 1e-3) ", 1e-4*(k%16), 1e-4*(k/16));
+    }
+    struct dem *const d = world(
+        world_text("%s effects { hooke { stiffness 1e4; } dry { restitution 0.5; } }"
+                   "shapes { s { spheres (%s); } }"
+                   "walls { floor { type plane; material glass; point (0 0 0); normal (0 0 1); } }"
+                   "insert { one { type list; material glass; shape s; orientation (1 0 0 0);"
+                   " positions ((0 0 0.001)); velocity (0 0 -0.1); } }", materials, text), 0, NULL);
+    double fastest = 0.0;
+
+    for (int n = 0; n < 4000; n++)
+    {
+        world_step(d);
+        fastest = fmax(fastest, fabs(world_at(d, 0).v[2]));
+    }
+    TAP_OK(fastest <= 0.1, "a plate of 256 spheres that falls flat gains no speed: %.3g of 0.1 m/s", fastest);
+    TAP_OK(world_at(d, 0).x[2] > 0.9e-3, "and does not go through the floor");
+    dem_free(d);
+}
+
+/* ---- rest ------------------------------------------------------------------------------------ */
+
+/* Of 4 bodies of 8 spheres one moves: a quarter, and 1 of 32 spheres. */
+static void quiet(void)
+{
+    struct dem *const d = world(
+        world_text("%s effects { hertz { } } shapes { s { spheres ((0 0 0 1e-3) (1e-3 0 0 1e-3) (2e-3 0 0 1e-3)"
+                   " (3e-3 0 0 1e-3) (0 1e-3 0 1e-3) (1e-3 1e-3 0 1e-3) (2e-3 1e-3 0 1e-3) (3e-3 1e-3 0 1e-3)); } }"
+                   "insert { still { type list; material glass; shape s; positions ((0 0 0) (0.02 0 0) (0.04 0 0)); }"
+                   " moving { type list; material glass; shape s; positions ((0.06 0 0)); velocity (0 0 0.1); } }",
+                   materials), 0, NULL);
+    struct dem_quiet q = {.wanted = 1, .moving = 0.1, .speed = 0.03, .lasting = 1e-9, .imbalance = 1.0,
+                          .since = INFINITY};
+    struct dem_totals t = world_tally(d);
+
+    TAP_OK(t.particles == 32 && t.bodies == 4, "%lld spheres are %lld bodies", (long long)t.particles,
+           (long long)t.bodies);
+    TAP_NEAR(t.volume, 4.0*d->scene.shapes.shape[0].volume, 1e-20, "their volume is of the unions");
+    TAP_NEAR(d->scene.initial.group[1].volume/d->scene.shapes.shape[0].volume, 1.0, 1e-12,
+             "so it is in the summary of a group");
+    for (int k = 0; k < 3; k++)
+    {
+        world_step(d);
+        t = world_tally(d);
+        WORLD_TRY(dem_quiet_test(d, &q, &t));
+    }
+    TAP_OK(!q.reached && q.move == 1, "1 of 4 bodies moves: not quiet at moving 0.1");
+    q.moving = 0.3;
+    for (int k = 0; k < 3; k++)
+    {
+        world_step(d);
+        t = world_tally(d);
+        WORLD_TRY(dem_quiet_test(d, &q, &t));
+    }
+    TAP_OK(q.reached, "quiet at moving 0.3");
+    dem_free(d);
+}
+
+/* ---- restarts -------------------------------------------------------------------------------- */
+
+static const char *restart_scene(const char *density, const char *shape)
+{
+    return world_text("materials { glass { density %s; youngsModulus 1e8; poissonsRatio 0.25; } }"
+                      " effects { hertz { } } shapes { s { spheres (%s); } }"
+                      "insert { g { type list; material glass; shape s; positions ((0 0 0)); } }", density, shape);
+}
+
+static void restart_refused(const char *file, const char *scene, const char *words)
+{
+    struct dem_case *const c = world_begin(scene);
+
+    WORLD_TRY(dem_case_load(c, file));
+    TAP_OK(world_status(c) != DEM_OK && strstr(dem_error_text(), words), "a restart is refused: %s",
+           dem_error_text());
+}
+
+static void restarts(void)
+{
+    char file[] = "/tmp/clumps.XXXXXX";
+    struct dem *const d = world(restart_scene("2500", "(0 0 0 1e-3) (1e-3 0 0 1e-3)"), 0, NULL);
+
+    close(mkstemp(file));
+    WORLD_TRY(dem_save(d, file));
+    dem_free(d);
+    restart_refused(file, restart_scene("2600", "(0 0 0 1e-3) (1e-3 0 0 1e-3)"), "keep the shapes and densities");
+    restart_refused(file, restart_scene("2500", "(0 0 0 1e-3) (1.1e-3 0 0 1e-3)"), "keep the shapes and densities");
+    unlink(file);
+}
+
 /* ---- refusals -------------------------------------------------------------------------------- */
 
 static void refused(const char *more, const char *group, const char *words)
@@ -372,6 +526,9 @@ static void refusals(void)
     refused("domain { min (0 0 0); max (0.0025 0.02 0.02); periodic (x); }", "max (0.0025 0.01 0.01);",
             "reaches its own image");
     refused("effects { gidaspow { } } fluid { density 1; viscosity 1e-5; }", "", "gidaspow");
+    refused("effects { rollingConstant { friction 0.1; } }", "", "rollingConstant resists the rotation");
+    refused("effects { rollingViscous { time 1e-3; } }", "", "rollingViscous");
+    refused("effects { twistingSpring { friction 0.1; } }", "", "twistingSpring");
     refused("fluid { density 1; viscosity 1e-5; }", "", "shapes: fluid does not work");
     refused("", "spin (0 0 1e6);", "the limit is 0.3 rad");
     refused("averages { a { min (0 0 0); max (1 1 1); cells (1 1 1); interval 1; } }", "", "averages");
@@ -381,6 +538,11 @@ int main(void)
 {
     TAP_TRAPS;
     unions();
+    chains();
+    limits();
+    plate();
+    quiet();
+    restarts();
     euler();
     dumbbell(1e8, 2e-3);
     dumbbell(1e13, 2e-5);
