@@ -12,19 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-static int is_dict(const struct dem_dict *dict, const char *name)
-{
-    int found = 0;
-
-    for (size_t k = 0; k < dem_dict_count(dict); k++)
-    {
-        const struct dem_entry *const e = dem_dict_entry(dict, k);
-
-        found |= strcmp(dem_entry_name(e), name) == 0 && dem_entry_is_dict(e);
-    }
-    return found;
-}
-
 static int read_load_table(const struct dem_dict *dict, const char *name, struct dem_wall_body *b)
 {
     static const char *const vector[] = {"x", "y", "z"}, *const number[] = {"value"};
@@ -41,7 +28,7 @@ static int read_load(const struct dem_dict *dict, const char *name, const char *
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
 
-    if (is_dict(dict, name))
+    if (dem_dict_has_dict(dict, name))
     {
         return read_load_table(dict, name, b);
     }

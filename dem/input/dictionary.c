@@ -171,6 +171,13 @@ bool dem_dict_has(const struct dem_dict *d, const char *name)
     return dem_dict_find(d, name, strlen(name)) != NULL;
 }
 
+bool dem_dict_has_dict(const struct dem_dict *d, const char *name)
+{
+    const struct dem_entry *const e = dem_dict_has(d, name) ? dem_dict_find(d, name, strlen(name)) : NULL;
+
+    return e && e->dict;
+}
+
 int dem_dict_sub(const struct dem_dict *d, const char *name, const struct dem_dict **sub)
 {
     const struct dem_entry *e;

@@ -58,6 +58,8 @@ bool dem_dict_unset(struct dem_dict *d, const char *path);
 
 /* Does the entry exist? Does not mark it as read. */
 bool dem_dict_has(const struct dem_dict *d, const char *name);
+/* Is it there, and a dictionary? */
+bool dem_dict_has_dict(const struct dem_dict *d, const char *name);
 
 /* Sub-dictionary: an error when it is missing, or (_if) null. */
 int dem_dict_sub(const struct dem_dict *d, const char *name, const struct dem_dict **sub);

@@ -65,26 +65,13 @@ int dem_scalar_refuse_unused(const struct dem_dict *dict, const struct dem_inter
     return DEM_OK;
 }
 
-static int is_dict(const struct dem_dict *dict, const char *name)
-{
-    int found = 0;
-
-    for (size_t k = 0; k < dem_dict_count(dict); k++)
-    {
-        const struct dem_entry *const e = dem_dict_entry(dict, k);
-
-        found |= strcmp(dem_entry_name(e), name) == 0 && dem_entry_is_dict(e);
-    }
-    return found;
-}
-
 static int read_entry(const struct dem_dict *dict, const struct dem_scalar *s,
                       struct dem_scalar_entry *e)
 {
     const struct dem_dict *range;
 
     e->given = 1;
-    if (!is_dict(dict, s->name))
+    if (!dem_dict_has_dict(dict, s->name))
     {
         DEM_TRY(dem_dict_number(dict, s->name, s->unit, &e->min));
         e->max = e->min;

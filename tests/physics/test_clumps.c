@@ -496,7 +496,7 @@ static void restarts(void)
     char file[] = "/tmp/clumps.XXXXXX";
     struct dem *const d = world(restart_scene("2500", "(0 0 0 1e-3) (1e-3 0 0 1e-3)"), 0, NULL);
 
-    close(mkstemp(file));
+    world_make_file(file);
     WORLD_TRY(dem_save(d, file));
     dem_free(d);
     restart_refused(file, restart_scene("2600", "(0 0 0 1e-3) (1e-3 0 0 1e-3)"), "keep the shapes and densities");

@@ -102,14 +102,7 @@ static void test_residence(void)
 
 int main(void)
 {
-    const int f = mkstemp(file);
-
-    if (f < 0)
-    {
-        printf("Bail out! no file in /tmp\n");
-        return 1;
-    }
-    close(f);
+    world_make_file(file);
     test_planes();
     test_residence();
     world_refused(GLASS "planes { a { point (0 0 0); normal (0 0 0); } }", "normal of length 0");

@@ -271,14 +271,7 @@ static void test_refusals(void)
 
 int main(void)
 {
-    const int f = mkstemp(file);
-
-    if (f < 0)
-    {
-        printf("Bail out! no file in /tmp\n");
-        return 1;
-    }
-    close(f);
+    world_make_file(file);
     test_durations();
     test_rest();
     test_load();

@@ -250,11 +250,10 @@ static void restart(const char *lid, const char *what)
 {
     char *const scene = pressed("dry { restitution 0.5; } mindlin { friction 0.4; }", lid);
     char path[] = "/tmp/bodies.XXXXXX";
-    const int file = mkstemp(path);
     struct dem *d = world(scene, 0, NULL);
     double time;
 
-    close(file);
+    world_make_file(path);
     world_run(d, 0.04);
     WORLD_TRY(dem_save(d, path));
     WORLD_TRY(dem_backup_every(d, 0));
@@ -282,10 +281,9 @@ static void restart(const char *lid, const char *what)
 static struct dem *edited(const char *before, const char *after, struct dem_wall_position *was)
 {
     char path[] = "/tmp/bodies.XXXXXX";
-    const int file = mkstemp(path);
     struct dem *const d = world(pressed("dry { restitution 0.5; }", before), 0, NULL);
 
-    close(file);
+    world_make_file(path);
     world_run(d, 0.04);
     WORLD_TRY(dem_save(d, path));
     *was = position(d, 6);
@@ -338,10 +336,9 @@ static void write_rows(const char *path, double x)
 static void other_rows(const char *body)
 {
     char path[] = "/tmp/rows.XXXXXX", saved[] = "/tmp/bodies.XXXXXX";
-    const int file[2] = {mkstemp(path), mkstemp(saved)};
 
-    close(file[0]);
-    close(file[1]);
+    world_make_file(path);
+    world_make_file(saved);
     write_rows(path, 1e-4);
     char *const scene = pressed("", world_text("( { type table; file \"%s\"; } %s )", path, body));
     struct dem *d = world(scene, 0, NULL);

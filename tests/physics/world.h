@@ -9,6 +9,8 @@
  *   world_run(d, 0.1); or world_step(d)       for one step of the scene's time/step
  *   world_at(d, id).x[2]                      position, velocity, spin, contact force and torque
  *
+ *   world_make_file(path)                       for a snapshot: "/tmp/NAME.XXXXXX"
+ *
  * An error of the core ends the test with the core's sentence.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,6 +28,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const double world_pi = 3.14159265358979324;
 
@@ -41,6 +44,19 @@ __attribute__((noreturn)) static inline void world_end(const char *call)
 }
 
 #define WORLD_TRY(call) ((call) ? world_end(#call) : (void)0)
+
+/* Make an empty file; path ends with XXXXXX, which become its own letters. The caller removes it. */
+static inline void world_make_file(char *path)
+{
+    const int file = mkstemp(path);
+
+    if (file < 0)
+    {
+        printf("Bail out! no file %s\n", path);
+        exit(1);
+    }
+    close(file);
+}
 
 /* memory for a text; never freed */
 static inline char *world_room(size_t bytes)
