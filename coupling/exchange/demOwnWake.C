@@ -61,18 +61,6 @@ static scalar inertia(const scalar R)
     return 1/std::sqrt(1 + 0.920*R + 0.282*sqr(R));
 }
 
-
-//- Reynolds number of a sphere that falls alone, by its Archimedes number
-static scalar terminalReynolds(const scalar archimedes)
-{
-    scalar Re = archimedes/18;
-    for (label pass = 0; pass < 50; ++pass)
-    {
-        Re = std::sqrt(Re*archimedes/18/(1 + 0.15*std::pow(Re, 0.687)));
-    }
-    return Re;
-}
-
 } // End namespace Foam
 
 
@@ -244,11 +232,10 @@ Foam::scalar Foam::demOwnWake::uncorrected() const
         const scalar V = volume(view_, i)/n[i];
         const scalar d = std::cbrt(6*V/pi);
         const scalar rho = fluid_.density[i];
-        const scalar heavier = mag(*dem_at(view_.mass, view_.stride, i)/(n[i]*V) - rho);
-        const scalar Re = terminalReynolds
-        (
-            heavier*rho*mag(particles_.gravity())*pow3(d)/sqr(fluid_.viscosity[i])
-        );
+        const scalar mu = fluid_.viscosity[i];
+        const scalar density = *dem_at(view_.mass, view_.stride, i)/(n[i]*V);
+        const scalar Re =
+            dem_sphere_terminal_velocity(d, density, rho, mu, mag(particles_.gravity()))*d*rho/mu;
         const scalar solid = max(1 - fluid_.void_fraction[i] - V*q[i], scalar(0));
         sum += d*std::cbrt(q[i])*structure(solid)*inertia(Re*radiusOf(q[i])/d);
     }

@@ -78,17 +78,16 @@ double dem_suspension_terminal_velocity(const struct dem *d,
 }
 
 /* 3 pi mu d f u balances the weight less buoyancy */
-double dem_suspension_single_sphere_velocity(const struct dem_suspension *b)
+double dem_sphere_terminal_velocity(double diameter, double density, double fluid_density, double viscosity,
+                                    double gravity)
 {
-    const double stokes = fabs(b->density - b->fluid_density)*b->gravity*b->diameter*
-                          b->diameter/(18.0*b->viscosity);
+    const double stokes = fabs(density - fluid_density)*gravity*diameter*diameter/(18.0*viscosity);
     double low = 0.0, high = stokes;
 
-    for (int k = 0; k < 100; k++)
+    while (high - low > 1e-12*high)
     {
         const double u = 0.5*(low + high);
-        const int less =
-            dem_single_sphere_drag(b->fluid_density*u*b->diameter/b->viscosity)*u < stokes;
+        const int less = dem_single_sphere_drag(fluid_density*u*diameter/viscosity)*u < stokes;
 
         low = less ? u : low;
         high = less ? high : u;
@@ -123,7 +122,8 @@ double dem_suspension_expanded_void_fraction(const struct dem *d,
 
 double dem_suspension_richardson_zaki(const struct dem_suspension *b, double U)
 {
-    const double u = dem_suspension_single_sphere_velocity(b);
+    const double u = dem_sphere_terminal_velocity(b->diameter, b->density, b->fluid_density,
+                                                  b->viscosity, b->gravity);
     const double re = b->fluid_density*u*b->diameter/b->viscosity;
     const double n = re < 0.2 ? 4.65
                      : re < 1.0 ? 4.35*pow(re, -0.03)

@@ -63,9 +63,6 @@ double dem_suspension_expanded_void_fraction(const struct dem *,
 /* 1: the same by Richardson and Zaki, at most 1 */
 double dem_suspension_richardson_zaki(const struct dem_suspension *, double U);
 
-/* m/s: u_t, of particles lighter than the fluid upwards */
-double dem_suspension_single_sphere_velocity(const struct dem_suspension *);
-
 /* m/s: terminal velocity of one sphere with the drag law of the scene; 0 without one. */
 double dem_suspension_terminal_velocity(const struct dem *,
                                         const struct dem_suspension *);

@@ -64,8 +64,10 @@ static void set_fluid_numbers(const struct dem_plan *p, struct dem_regime *g)
     g->vorticity = n->uniform ? n->vorticity : p->run.vorticity;
     g->stress = n->stress;
     /* particles lighter than the fluid rise with the slip of a single sphere */
-    g->slip = fmax(b->gravity > 0.0 ? sinks > 0.0 ? sinks : dem_suspension_single_sphere_velocity(b)
-                                    : 0.0,
+    g->slip = fmax(b->gravity <= 0.0 ? 0.0
+                   : sinks > 0.0     ? sinks
+                                     : dem_sphere_terminal_velocity(b->diameter, b->density, b->fluid_density,
+                                                                    b->viscosity, b->gravity),
                    g->flow);
     g->reynolds = b->fluid_density*g->slip*b->diameter/b->viscosity;
     g->drag_factor = dem_single_sphere_drag(g->reynolds);

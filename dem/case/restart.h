@@ -18,8 +18,8 @@
 #include "case/dem_case.h"
 #include "core/text.h"
 
-/* Collective, when the particles of the snapshot have been read: read its scene and compare. Keeps of
-   the groups and the particles of the program those that are new. */
+/* Collective, when the particles of the snapshot have been read: read its scene and compare. Only new
+   groups and new particles of the program stay in the case. */
 int dem_api_compare_scene(struct dem_case *);
 
 /* Collective, when the walls are finished: insert the new groups. */

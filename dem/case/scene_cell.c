@@ -15,7 +15,7 @@
 
 enum
 {
-    ROOM = 8    /* how much larger coordinates may become than those of the scene */
+    ROOM = 8    /* largest coordinates over the ones of the scene */
 };
 
 /* Entry 3 is the simple shear, which crosses the faces of y. */

@@ -66,7 +66,7 @@ static void limit_step_by_walls(struct dem_interaction_table *r, const struct de
     }
 }
 
-/* A wall that moves by more than the smallest radius in a step is told before the run. */
+/* Refuse a wall that moves by more than the smallest radius in a step. */
 static int check_wall_speeds(const struct dem *d, double radius)
 {
     const struct dem_walls *const w = &d->state.walls;

@@ -130,7 +130,7 @@ int dem_api_begin_clumps(struct dem *d)
     {
         DEM_REQUIRE(p->particles.record[i].body == 0, DEM_ERROR_INPUT,
                     "particle %lld of the snapshot is a sphere of a clump, but the scene has no shapes; "
-                    "add those of the run that wrote it", (long long)p->particles.record[i].id);
+                    "add the shapes of the run that wrote it", (long long)p->particles.record[i].id);
     }
     for (size_t k = 0; k < d->scene.shapes.n; k++)
     {

@@ -1,5 +1,5 @@
 /*
- * pair_list.c -- pairs sorted by class and particle; those of each owned particle, in the order in
+ * pair_list.c -- pairs sorted by class and particle; the pairs of each owned particle, in the order in
  * which it sums them.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -42,7 +42,7 @@ static const struct
 enum
 {
     NAMED = (int)(sizeof list/sizeof *list),
-    COLUMNS = NAMED + DEM_FURTHER_COLUMNS    /* those of scalars follow */
+    COLUMNS = NAMED + DEM_FURTHER_COLUMNS    /* columns of scalars follow */
 };
 
 struct column

@@ -10,14 +10,14 @@
 #include "device/opencl_device.h"
 #include "particles/particles.h"
 
-/* #define COLUMN_<NAME> of each column, COLUMN_FURTHER_<k> of those of scalars, that these particles have, for kernels: numbers per particle
-   before it. Returns 1 when there is a fluid. */
+/* Text for kernels: #define COLUMN_<NAME> for each column that these particles have, COLUMN_FURTHER_<k> for scalars.
+   The values are numbers per particle before it. Returns 1 when there is a fluid. */
 int dem_device_columns_text(const struct dem_particles *, struct dem_text *);
 
 /* Numbers per particle of all of them. */
 size_t dem_device_columns_width(const struct dem_particles *);
 
-/* All columns to the device; those that change back. */
+/* All columns to the device; the ones that change, back. */
 int dem_device_put_columns(struct dem_opencl *, const struct dem_opencl_memory *,
                            const struct dem_particles *);
 int dem_device_get_columns(struct dem_opencl *, const struct dem_opencl_memory *,

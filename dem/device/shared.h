@@ -60,7 +60,7 @@ struct dem_device_triangle
     uint32_t facet, rim, place;
 };
 
-/* periodic images of the triangles of a frame; those of walls at rest come first */
+/* periodic images of the triangles of a frame; walls at rest come first */
 struct dem_device_images
 {
     double period[3];                       /* m */

@@ -68,6 +68,11 @@ int dem_impact_warning(struct dem *, double overlap, const char **text);
    particles. */
 int dem_bed_slab(const struct dem *, double up[3], double *low, double *high);
 
+/* m/s: speed at which one sphere settles or rises in a fluid at rest, by the drag law of Schiller and Naumann; diameter [m],
+   densities [kg/m3], viscosity [Pa s], gravity [m/s2]. */
+double dem_sphere_terminal_velocity(double diameter, double density, double fluid_density, double viscosity,
+                                    double gravity);
+
 /* ---- effects of the library ------------------------------------------------------------------ */
 
 /* None of these needs a case or a run. */

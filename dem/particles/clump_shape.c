@@ -1,6 +1,5 @@
 /*
- * clump_shape.c -- reads templates of rigid bodies; volume, centre and principal moments of inertia of
- * a union of spheres.
+ * clump_shape.c -- reads templates of rigid bodies; their centre, principal axes and moments of inertia.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,203 +9,9 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "particles/particles.h"
+#include "particles/sphere_union.h"
 #include <math.h>
 #include <string.h>
-
-enum
-{
-    COLUMNS = 1024                    /* along x and y, at least */
-};
-
-struct moments    /* integrals of 1, x, and x x^T over a body, about `origin` */
-{
-    double origin[3], volume, first[3], second[3][3];
-};
-
-/* ---- integrals ------------------------------------------------------------------------------- */
-
-static int overlap(const struct dem_clump_shape *s)
-{
-    int any = 0;
-
-    for (size_t i = 0; i < s->n; i++)
-    {
-        for (size_t j = 0; j < i; j++)
-        {
-            double d[3];
-
-            dem_vec_minus(s->sphere[i], s->sphere[j], d);
-            any |= dem_vec_norm(d) < (s->sphere[i][3] + s->sphere[j][3])*(1.0 - 1e-12);
-        }
-    }
-    return any;
-}
-
-static void add_spheres(const struct dem_clump_shape *s, struct moments *m)
-{
-    for (size_t i = 0; i < s->n; i++)
-    {
-        const double *const at = s->sphere[i], r = at[3], V = dem_sphere_volume(r);
-        double d[3];
-
-        dem_vec_minus(at, m->origin, d);
-        m->volume += V;
-        for (int a = 0; a < 3; a++)
-        {
-            m->first[a] += V*d[a];
-            for (int b = 0; b < 3; b++)
-            {
-                m->second[a][b] += V*(d[a]*d[b] + (a == b ? 0.2*r*r : 0.0));
-            }
-        }
-    }
-}
-
-/* The part of a column at (x, y) of cross-section `area` between two heights. */
-static void add_part(struct moments *m, const double at[2], double area, const double z[2])
-{
-    const double V = area*(z[1] - z[0]), middle = 0.5*(z[0] + z[1]);
-    const double d[3] = {at[0], at[1], middle};
-
-    m->volume += V;
-    for (int a = 0; a < 3; a++)
-    {
-        m->first[a] += V*d[a];
-        for (int b = 0; b < 3; b++)
-        {
-            m->second[a][b] += V*d[a]*d[b];
-        }
-    }
-    m->second[2][2] += V*(z[1] - z[0])*(z[1] - z[0])/12.0;
-}
-
-/* The parts of a column inside the spheres, sorted and merged. */
-static void add_column(const struct dem_clump_shape *s, struct moments *m, const double at[2],
-                       double area)
-{
-    double part[DEM_CLUMP_SPHERES][2];
-    size_t n = 0;
-
-    for (size_t i = 0; i < s->n; i++)
-    {
-        const double *const c = s->sphere[i];
-        const double x = at[0] - (c[0] - m->origin[0]), y = at[1] - (c[1] - m->origin[1]);
-        const double square = c[3]*c[3] - x*x - y*y;
-        size_t k = n;
-
-        if (square > 0.0)
-        {
-            const double z = c[2] - m->origin[2], half = sqrt(square);
-
-            for (; k > 0 && part[k - 1][0] > z - half; k--)
-            {
-                memcpy(part[k], part[k - 1], sizeof *part);
-            }
-            part[k][0] = z - half;
-            part[k][1] = z + half;
-            n++;
-        }
-    }
-    for (size_t k = 0; k < n; k++)
-    {
-        while (k + 1 < n && part[k + 1][0] <= part[k][1])
-        {
-            part[k + 1][0] = part[k][0];
-            part[k + 1][1] = fmax(part[k][1], part[k + 1][1]);
-            k++;
-        }
-        add_part(m, at, area, part[k]);
-    }
-}
-
-/* Largest width of a column [m]. */
-static double width(const struct dem_clump_shape *s)
-{
-    double sum[3] = {0.0, 0.0, 0.0};
-
-    for (size_t k = 0; k < s->n; k++)
-    {
-        const double r = s->sphere[k][3];
-
-        sum[0] += r;
-        sum[1] += r*r;
-        sum[2] += r*r*r;
-    }
-    return fmax(sqrt(sum[2]/sum[0])/150.0, sqrt(3.14159265358979324*sum[1]/8e6));
-}
-
-/* The spheres that a row of columns meets at y, in the order of where they begin, and the first and last
-   column of each. */
-struct row
-{
-    size_t n;
-    double sphere[DEM_CLUMP_SPHERES][4];
-    long range[DEM_CLUMP_SPHERES][2];
-};
-
-static void find_row(struct row *w, const struct dem_clump_shape *s, const struct moments *m, double y,
-                     double half, double h)
-{
-    w->n = 0;
-    for (size_t k = 0; k < s->n; k++)
-    {
-        const double *const c = s->sphere[k];
-        const double d = y - (c[1] - m->origin[1]), x = c[0] - m->origin[0] + half;
-
-        if (fabs(d) < c[3])
-        {
-            const double reach = sqrt(c[3]*c[3] - d*d);
-            const long from = (long)fmax(0.0, floor((x - reach)/h - 0.5));
-            size_t at = w->n++;
-
-            for (; at > 0 && w->range[at - 1][0] > from; at--)
-            {
-                memcpy(w->range[at], w->range[at - 1], sizeof *w->range);
-                memcpy(w->sphere[at], w->sphere[at - 1], sizeof *w->sphere);
-            }
-            w->range[at][0] = from;
-            w->range[at][1] = (long)ceil((x + reach)/h - 0.5);
-            memcpy(w->sphere[at], c, sizeof *w->sphere);
-        }
-    }
-}
-
-/* Only columns that meet a sphere, with the spheres that they may meet. */
-static void add_columns(const struct dem_clump_shape *s, struct moments *m, const double half[3])
-{
-    const double most = width(s);
-    const long n[2] = {(long)fmax(COLUMNS, ceil(2.0*half[0]/most)),
-                       (long)fmax(COLUMNS, ceil(2.0*half[1]/most))};
-    const double h[2] = {2.0*half[0]/(double)n[0], 2.0*half[1]/(double)n[1]};
-    struct row w;
-
-    for (long j = 0; j < n[1]; j++)
-    {
-        const double y = ((double)j + 0.5)*h[1] - half[1];
-        struct dem_clump_shape near = {.n = 0};
-        size_t first = 0, end = 0;
-
-        find_row(&w, s, m, y, half[0], h[0]);
-        for (long i = w.n > 0 ? w.range[0][0] : n[0]; i < n[0]; i++)
-        {
-            while (end < w.n && w.range[end][0] <= i)
-            {
-                end++;
-            }
-            while (first < end && w.range[first][1] < i)
-            {
-                first++;
-            }
-            if (first == end && end == w.n)
-            {
-                break;
-            }
-            near.sphere = (const double (*)[4])(w.sphere + first);
-            near.n = end - first;
-            add_column(&near, m, (const double[2]){((double)i + 0.5)*h[0] - half[0], y}, h[0]*h[1]);
-        }
-    }
-}
 
 /* ---- principal axes -------------------------------------------------------------------------- */
 
@@ -290,7 +95,7 @@ static double step_volume(const struct dem_clump_shape *s)
 }
 
 /* Centre, inertia and offsets from the integrals. */
-static int finish(struct dem_clump_shape *s, const struct moments *m)
+static int finish(struct dem_clump_shape *s, const struct dem_union_moments *m)
 {
     double A[3][3], R[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, square[3];
 
@@ -333,34 +138,6 @@ static int finish(struct dem_clump_shape *s, const struct moments *m)
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-static int measure(struct dem_clump_shape *s)
-{
-    struct moments m = {.volume = 0.0};
-    double half[3];
-
-    for (int k = 0; k < 3; k++)
-    {
-        double low = INFINITY, high = -INFINITY;
-
-        for (size_t i = 0; i < s->n; i++)
-        {
-            low = fmin(low, s->sphere[i][k] - s->sphere[i][3]);
-            high = fmax(high, s->sphere[i][k] + s->sphere[i][3]);
-        }
-        m.origin[k] = 0.5*(low + high);
-        half[k] = 0.5*(high - low);
-    }
-    if (overlap(s))
-    {
-        add_columns(s, &m, half);
-    }
-    else
-    {
-        add_spheres(s, &m);
-    }
-    return finish(s, &m);
-}
-
 static int read_shape(struct dem_clump_shape *s, const struct dem_dict *dict)
 {
     *s = (struct dem_clump_shape){.name = dem_dict_name(dict)};
@@ -379,7 +156,10 @@ static int read_shape(struct dem_clump_shape *s, const struct dem_dict *dict)
                     "and coordinates of at most 1000 radii of the first sphere",
                     dem_dict_where(dict), s->name, k + 1, at[0], at[1], at[2], r);
     }
-    return measure(s);
+    struct dem_union_moments m;
+
+    dem_sphere_union(s->n, s->sphere, &m);
+    return finish(s, &m);
 }
 
 int dem_clump_shapes_read(struct dem_clump_shapes *all, const struct dem_dict *scene)

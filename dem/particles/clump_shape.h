@@ -3,14 +3,7 @@
  *
  *     shapes { nut { spheres ((0 0 0 1e-3) (1e-3 0 0 1e-3)); } }      x y z r of each sphere [m]
  *
- * The body is the union of its spheres: what several of them hold counts once. Volume, centre and
- * inertia are sums in closed form where no two spheres overlap; else integrals over columns along
- * z, the midpoints of a grid on the x-y face of the bounding box: exact along z, and to 1e-5 across,
- * where the error is 0.08 (h/r)^2 for spheres of radius r. The width of a column is, along x and y,
- *
- *   h = the smaller of 1/1024 of the box and the larger of sqrt(sum r^3/sum r)/150 and
- *       sqrt(pi sum r^2/8e6), with which at most 8e6 columns meet a sphere                     [m]
- *
+ * The body is the union of its spheres (sphere_union.h): what several of them hold counts once.
  * Multiplied by the density of the material of a group they are mass and inertia.
  *
  * Limit of the time step. A body of mass M with contacts of all its n spheres at once, each with the

@@ -54,13 +54,13 @@ claim("the programs here belong to the sourced one", done.returncode == 0 and " 
 
 # ---- the compiler, with declarations of each version ------------------------------------------------
 
-stub = work/"stub"
-stub.mkdir()
+headers = work/"headers"
+headers.mkdir()
 mpi = run("mpicc", "--showme:compile").stdout.split()
 
 
 def compiled(source, *options):
-    return run("g++", "-fsyntax-only", *options, f"-I{stub}", f"-I{top}/coupling/common", f"-I{top}/dem/include", *mpi,
+    return run("g++", "-fsyntax-only", *options, f"-I{headers}", f"-I{top}/coupling/common", f"-I{top}/dem/include", *mpi,
                "-x", "c++", source)
 
 
@@ -80,12 +80,12 @@ void write(const Foam::regIOobject& io) { Foam::demWriteAscii(io); }
 int main() { int i = 0; Foam::demBroadcast(i); return i; }
 """)
 for name in ("regIOobject.H", "Time.H"):
-    (stub/name).touch()
+    (headers/name).touch()
 
 
 def finds(version, standard, broadcast, write):
     """This version, with this name of Pstream::broadcast and these arguments of writeObject, finds its function."""
-    (stub/"Pstream.H").write_text(f"""
+    (headers/"Pstream.H").write_text(f"""
 namespace Foam
 {{
     template<class T> struct List {{ List(int); T& operator[](int); }};
