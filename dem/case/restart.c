@@ -49,8 +49,8 @@ static void add_marks(const struct dem *d, struct dem_text *t)
 
     for (const char *at = before, *end; (end = strchr(at, '\n')); at = end + 1)
     {
-        if (at[0] == '@' && strncmp(at, "@wall ", 6) != 0 && !dem_stages_is_line(at)
-            && !dem_cell_is_line(at) && !dem_residence_is_line(at) && !dem_wall_wear_is_line(at))
+        if (strncmp(at, group_mark, sizeof group_mark - 1) == 0
+            || strncmp(at, program_mark, sizeof program_mark - 1) == 0)
         {
             dem_text_add(t, "%.*s\n", (int)(end - at), at);
         }

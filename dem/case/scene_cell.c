@@ -117,9 +117,9 @@ int dem_cell_refuse(const struct dem *d)
     DEM_REQUIRE(d->scene.shapes.n == 0, DEM_ERROR_INPUT,
                 "domain/cell and shapes: rigid bodies of several spheres do not follow a cell; remove one of "
                 "them");
-    DEM_REQUIRE(!d->coupled && d->scene.streams.streams + d->scene.streams.outlets + d->scene.streams.planes == 0
+    DEM_REQUIRE(d->scene.streams.streams + d->scene.streams.outlets + d->scene.streams.planes == 0
                     && p->applied_forces.n == 0, DEM_ERROR_INPUT,
-                "domain/cell does not go with a coupled fluid, forces, streams, groups with `at`, outlets "
+                "domain/cell does not go with forces, streams, groups with `at`, outlets "
                 "or planes; remove them");
     return DEM_OK;
 }
@@ -147,11 +147,6 @@ int dem_cell_refuse_fixed(const struct dem_state *p)
 
 static const char mark[] = "@cell ";
 
-int dem_cell_is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
-}
-
 void dem_cell_describe(const struct dem *d, struct dem_text *t)
 {
     const struct dem_cell *const c = &d->state.cell;
@@ -167,12 +162,17 @@ void dem_cell_describe(const struct dem *d, struct dem_text *t)
     }
 }
 
+static int is_line(const char *line)
+{
+    return strncmp(line, mark, sizeof mark - 1) == 0;
+}
+
 void dem_cell_resume(struct dem *d, const char *text)
 {
     struct dem_cell *const c = &d->state.cell;
     const char *at = text;
 
-    while (c->active && at && *at && !dem_cell_is_line(at))
+    while (c->active && at && *at && !is_line(at))
     {
         at = strchr(at, '\n');
         at = at ? at + 1 : NULL;

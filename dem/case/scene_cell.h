@@ -25,7 +25,6 @@ int dem_cell_refuse_fixed(const struct dem_state *);
 
 /* A line with @ of the text of the scene in a snapshot, and the state that it holds. */
 void dem_cell_describe(const struct dem *, struct dem_text *);
-int dem_cell_is_line(const char *line);
 void dem_cell_resume(struct dem *, const char *text);
 
 #endif

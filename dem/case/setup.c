@@ -261,11 +261,10 @@ static void begin_device(struct dem *d)
     {
         return;
     }
-    snprintf(why, sizeof why, d->coupled ? "the run is coupled with a fluid" : "the domain deforms, walls come or go, or there are stages");
-    if (!d->coupled && d->scene.stages.n == 0 && d->state.walls.passing == 0
-        && !d->state.cell.active)
+    dem_device_refusal(&d->state, why, sizeof why);
+    if (d->scene.stages.n > 0)
     {
-        dem_device_refusal(&d->state, why, sizeof why);
+        snprintf(why, sizeof why, "there are stages");
     }
     if (why[0])
     {

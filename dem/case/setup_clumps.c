@@ -50,7 +50,7 @@ static int refuse_entries(const struct dem_case *c)
         {"averages", d->scene.averages > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"stresses of particles", c->virial},
-        {"a coupled fluid", d->coupled || d->with_fluid},
+        {"a coupled fluid", d->with_fluid},
     };
 
     for (size_t k = 0; k < sizeof entries/sizeof *entries; k++)

@@ -18,21 +18,6 @@
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-/* `until` as a dictionary; NULL when it is a word or is not given. */
-static const struct dem_dict *find_condition(const struct dem_dict *dict)
-{
-    for (size_t k = 0; k < dem_dict_count(dict); k++)
-    {
-        const struct dem_entry *const e = dem_dict_entry(dict, k);
-
-        if (strcmp(dem_entry_name(e), "until") == 0 && dem_entry_is_dict(e))
-        {
-            return dem_entry_dict(e);
-        }
-    }
-    return NULL;
-}
-
 static int read_load(struct dem_run_stage *s, const struct dem_dict *dict, const struct dem_walls *w)
 {
     static const double none[3] = {0.0, 0.0, 0.0};
@@ -44,7 +29,6 @@ static int read_load(struct dem_run_stage *s, const struct dem_dict *dict, const
     DEM_REQUIRE(s->wall_index < w->walls, DEM_ERROR_INPUT,
                 "%s: stages/%s waits for a force on wall %.63s, but the scene has no such wall; a side "
                 "of a box is named like boxMaxZ", dem_dict_where(dict), s->name, wall);
-    snprintf(s->wall, sizeof s->wall, "%.63s", wall);
     const struct dem_wall_body *const b = dem_walls_body(w, s->wall_index);
     const int servo = b && b->kind == DEM_WALL_BODY_SERVO && !b->table;
 
@@ -71,9 +55,10 @@ static int read_load(struct dem_run_stage *s, const struct dem_dict *dict, const
 
 static int read_condition(struct dem_run_stage *s, const struct dem_dict *dict, const struct dem_walls *w)
 {
-    const struct dem_dict *const until = find_condition(dict);
+    const struct dem_dict *until = NULL;
     const char *word = "";
 
+    DEM_TRY(dem_dict_has_dict(dict, "until") ? dem_dict_sub(dict, "until", &until) : DEM_OK);
     if (until && dem_dict_has(until, "force"))
     {
         return read_load(s, until, w);
@@ -215,12 +200,6 @@ void dem_stages_begin(struct dem *d, int k, double time, const char *why)
 
 static const char stage_mark[] = "@stage ", test_mark[] = "@test ";
 
-int dem_stages_is_line(const char *line)
-{
-    return strncmp(line, stage_mark, sizeof stage_mark - 1) == 0
-        || strncmp(line, test_mark, sizeof test_mark - 1) == 0;
-}
-
 void dem_stages_describe(const struct dem_run_stages *s, struct dem_text *t)
 {
     for (int k = 0; k < s->n && k <= s->present; k++)
@@ -254,7 +233,7 @@ static int read_numbers(const char *at, double *number, int most)
     return n;
 }
 
-static int resume_test(struct dem_run_stages *s, const char *line)
+static void resume_test(struct dem_run_stages *s, const char *line)
 {
     double x[9];
     struct dem_run_stage *const now = &s->stage[s->present];
@@ -269,7 +248,6 @@ static int resume_test(struct dem_run_stages *s, const char *line)
         now->quiet.tested = x[5];
         memcpy(now->quiet.momentum, x + 6, sizeof now->quiet.momentum);
     }
-    return DEM_OK;
 }
 
 /* The stage that a line names, by its beginning; *rest: behind its name. -1: the scene has none. */
@@ -310,7 +288,7 @@ static int resume(struct dem *d, const char *text)
         else if (strncmp(at, test_mark, sizeof test_mark - 1) == 0 && last >= 0)
         {
             s->present = last;
-            DEM_TRY(resume_test(s, at + sizeof test_mark - 1));
+            resume_test(s, at + sizeof test_mark - 1);
         }
     }
     for (int k = 0; k < last; k++)

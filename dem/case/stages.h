@@ -41,8 +41,7 @@ struct dem_run_stage
     enum dem_until until;
     double duration, at_most;     /* s  infinite: not given */
     struct dem_quiet quiet;
-    char wall[64];                /* whose load ends it; an index of a wall once they exist */
-    int wall_index;
+    int wall_index;               /* of the wall whose load ends it */
     double load, within, lasting; /* N  of the wall; 1  0: that load or more; s */
     double direction[3];          /* unit; zero: the size of the force counts */
     double since;                 /* s  the load is there since; infinite: it is not */
@@ -75,6 +74,5 @@ int dem_stages_start(struct dem *, int continues);
 
 /* Lines with @ of the text of the scene in a snapshot: times of stages, and the state of the test. */
 void dem_stages_describe(const struct dem_run_stages *, struct dem_text *);
-int dem_stages_is_line(const char *line);
 
 #endif

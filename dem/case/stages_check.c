@@ -42,9 +42,6 @@ int dem_stages_check(const struct dem *d)
     double g[3];
 
     dem_interaction_table_gravity(&d->state.interaction_table, g);
-    DEM_REQUIRE(!d->coupled || (s->n == 0 && d->state.walls.passing == 0), DEM_ERROR_INPUT,
-                "the scene has stages, or walls with from or until, which act between windows that only "
-                "a run without a coupled fluid has; remove them");
     for (int k = 0; k < s->n; k++)
     {
         const struct dem_quiet *const q = &s->stage[k].quiet;

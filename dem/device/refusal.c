@@ -60,7 +60,7 @@ static int refuse_walls(const struct dem_walls *walls, char *why, size_t size)
     return 0;
 }
 
-/* Of the run, not of its laws or walls. */
+/* What else of the run a device cannot do. */
 static const char *run_reason(const struct dem_state *state)
 {
     const struct dem_particles *const p = &state->particles;
@@ -69,6 +69,8 @@ static const char *run_reason(const struct dem_state *state)
            : state->interaction_table.parcels.used ? "particles are parcels"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
+           : state->cell.active                    ? "the cell deforms (domain/cell)"
+           : state->walls.passing > 0              ? "walls come or go (from, until)"
                                                    : NULL;
 }
 

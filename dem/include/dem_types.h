@@ -179,7 +179,7 @@ struct dem_loss
     char cause[212];                /* where and why, as far as its last step shows */
 };
 
-/* sums of a stream or an outlet since the start: dem_flows */
+/* how the particles of a row of dem_flows pass */
 enum dem_flow_way
 {
     DEM_FLOW_WAY_OUT,                   /* through an outlet, or `domain`: particles that left it */
@@ -188,6 +188,7 @@ enum dem_flow_way
     DEM_FLOW_WAY_BACK                   /* the next row of the same name: against it */
 };
 
+/* sums of a stream, an outlet or one direction through a plane, since the start: dem_flows */
 struct dem_flow
 {
     const char *name;

@@ -18,7 +18,6 @@ struct dem_cell_measured
     double modulus[3];            /* Pa  sum k l^2 n^4/V along the axes */
     double mass, solid, volume;   /* kg; m3 of particles; m3 of the cell */
     double contacts;              /* with a force */
-    double particles;
 };
 
 /* Collective. After a step whose forces of all rows are stored (contact_forces.h). */

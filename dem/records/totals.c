@@ -21,7 +21,10 @@ void dem_totals_reduce_sums(const struct dem_state *p, struct dem_sum *sum, int 
     for (int k = 0; k < count; k++)
     {
         dem_sum_normalise(&sum[k]);
-        dem_collect_sum_int64(&p->decomposition, sum[k].part, DEM_SUM_PARTS);
+    }
+    dem_collect_sum_int64(&p->decomposition, sum[0].part, (size_t)count*DEM_SUM_PARTS);
+    for (int k = 0; k < count; k++)
+    {
         value[k] = dem_sum_value(&sum[k]);
     }
 }

@@ -73,7 +73,7 @@ static int find_triangle(struct dem_state *state, int facet, const double x[3], 
     const size_t first = s->candidates;
     double best = INFINITY, on[3], moved[3];
 
-    for (double reach = 1e-3*radius; reach <= 2.0*radius && !isfinite(best); reach *= 10.0)
+    for (double reach = 1e-3*radius; reach <= 2e3*radius && !isfinite(best); reach *= 10.0)
     {
         DEM_TRY(dem_wall_search_gather(s, w, w->wall[w->facet[facet].wall].frame, x, reach));
         for (size_t c = first; c < s->candidates; c++)
@@ -90,6 +90,8 @@ static int find_triangle(struct dem_state *state, int facet, const double x[3], 
         }
         s->candidates = first;
     }
+    DEM_REQUIRE(isfinite(best), DEM_ERROR_NUMBER, "wall %s: no triangle is near a contact that wears it; the point is "
+                "(%g %g %g)", w->wall[w->facet[facet].wall].name, x[0], x[1], x[2]);
     return DEM_OK;
 }
 
@@ -190,11 +192,6 @@ void dem_wall_wear_restore(struct dem_state *state)
     copy(state, 1);
 }
 
-int dem_wall_wear_is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
-}
-
 static int is_zero(const struct dem_wear_sum *s)
 {
     int64_t any = 0;
@@ -244,6 +241,11 @@ static int64_t take(const char **at, int64_t end, int *good)
     return *good ? number : 0;
 }
 
+static int is_line(const char *line)
+{
+    return strncmp(line, mark, sizeof mark - 1) == 0;
+}
+
 int dem_wall_wear_resume(struct dem_state *state, int wall, const char *text, const char *path)
 {
     const struct dem_wall *const of = &state->walls.wall[wall];
@@ -253,7 +255,7 @@ int dem_wall_wear_resume(struct dem_state *state, int wall, const char *text, co
 
     for (const char *at = text; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
     {
-        if (!dem_wall_wear_is_line(at) || strncmp(at + head, of->name, length) != 0
+        if (!is_line(at) || strncmp(at + head, of->name, length) != 0
             || at[head + length] != ' ')
         {
             continue;

@@ -59,7 +59,6 @@ void dem_wall_wear_restore(struct dem_state *);
 
 /* The lines of a snapshot, after dem_wall_wear_gather, on the first rank. */
 void dem_wall_wear_describe(const struct dem_state *, struct dem_text *);
-int dem_wall_wear_is_line(const char *line);
 
 /* On the first rank: a wall takes its sums from the text of a snapshot's scene. DEM_ERROR_FILE when its line is
    damaged; `path` names the snapshot. */

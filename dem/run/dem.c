@@ -40,6 +40,13 @@ static int check_fluid(const struct dem *d)
     DEM_REQUIRE(!(d->coupled && d->state.walls.bodies > 0), DEM_ERROR_INPUT,
                 "a wall is moved by force, to which the fluid does not add its own; give it a motion in "
                 "time, or run the scene by itself");
+    DEM_REQUIRE(!(d->coupled && (d->scene.stages.n > 0 || d->state.walls.passing > 0)), DEM_ERROR_INPUT,
+                "the scene has stages, or walls with from or until, which a coupled run does not know; "
+                "remove them, or run the scene by itself");
+    DEM_REQUIRE(!(d->coupled && d->state.cell.active), DEM_ERROR_INPUT,
+                "domain/cell does not go with a coupled fluid; remove it, or run the scene by itself");
+    DEM_REQUIRE(!(d->coupled && d->scene.shapes.n > 0), DEM_ERROR_INPUT,
+                "shapes: clumps do not go with a coupled fluid yet; remove them, or run the scene by itself");
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->flow_on_request
                     || d->state.flows->plan->streams == 0,
                 DEM_ERROR_STATE,
@@ -245,13 +252,7 @@ int dem_restore(struct dem *d, double *time)
     p->limits.overlap = 0.0;
     p->stale = 2;
     p->window.half_step_ahead = 0;
-    if (p->cell.active)
-    {
-        memcpy(p->cell.rate, p->cell.backup[1], sizeof p->cell.rate);
-        memcpy(p->cell.integral, p->cell.backup[2], sizeof p->cell.integral);
-        p->cell.strain = p->cell.backup[3][1];
-        dem_cell_set_lengths(p, p->cell.backup[0], p->cell.backup[3][0]);
-    }
+    dem_cell_restore(p);
     dem_stages_rewind(d);
     (void)dem_walls_come_and_go(&p->walls, p->time);
     return DEM_OK;

@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/edit.h"
-#include "case/scene_cell.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
@@ -106,7 +105,7 @@ static int look(struct dem *d)
 {
     struct dem_state *const p = &d->state;
     struct dem_energy_balance *const l = p->energy_balance;
-    DEM_TRY(dem_cell_refuse_fixed(p));
+
     int status = dem_api_refuse_new_overlap(d);
 
     if (l->open)

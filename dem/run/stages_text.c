@@ -10,11 +10,11 @@
 #include "dem_query.h"
 #include <math.h>
 
-static void write_wait(struct dem_text *t, const struct dem_run_stage *s)
+static void write_wait(struct dem_text *t, const struct dem_walls *w, const struct dem_run_stage *s)
 {
     if (s->until == DEM_UNTIL_LOAD)
     {
-        dem_text_add(t, "%s waits for %g N on wall %s", s->name, s->load, s->wall);
+        dem_text_add(t, "%s waits for %g N on wall %s", s->name, s->load, w->wall[s->wall_index].name);
     }
     else if (s->until == DEM_UNTIL_QUIET)
     {
@@ -101,7 +101,7 @@ int dem_stages_left_text(const struct dem *d, const char **text)
         if (!isfinite(s->stage[k].begin))
         {
             dem_text_add(&t, "stage %s never began: ", s->stage[k].name);
-            write_wait(&t, &s->stage[k - 1]);
+            write_wait(&t, &d->state.walls, &s->stage[k - 1]);
             write_waiting(&t, d, k + 1);
             dem_text_add(&t, "\n");
         }

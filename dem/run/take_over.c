@@ -73,6 +73,7 @@ static int take_impulses(struct dem *d, struct dem *from)
         {
             to->sum[k] = was->sum[w];
             to->saved[k] = was->saved[w];
+            to->work[k] = was->work[w];
         }
     }
     return DEM_OK;

@@ -74,6 +74,7 @@ int dem_streams_read_planes(struct dem_streams *s, const struct dem_dict *planes
         DEM_TRY(read_plane(&s->plane[s->planes++], dem_entry_dict(e)));
         DEM_TRY(check_names(s, s->planes - 1));
     }
+    /* one more is used for the domain */
     DEM_REQUIRE(s->streams + s->outlets + 2*s->planes < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT,
                 "%d streams and groups with `at`, %d outlets and %d planes, which count twice; the limit "
                 "is %d in all; join some", s->streams, s->outlets, s->planes, DEM_SNAPSHOT_FLOWS - 1);

@@ -51,6 +51,11 @@ static void resume(struct dem_flows *f, const char *line)
     }
 }
 
+static int is_line(const char *line)
+{
+    return strncmp(line, mark, sizeof mark - 1) == 0;
+}
+
 int dem_residence_begin(struct dem_state *p, const char *text)
 {
     struct dem_flows *const f = p->flows;
@@ -66,7 +71,7 @@ int dem_residence_begin(struct dem_state *p, const char *text)
     }
     for (const char *at = text; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
     {
-        if (dem_residence_is_line(at))
+        if (is_line(at))
         {
             resume(f, at + sizeof mark - 1);
         }
@@ -122,11 +127,6 @@ void dem_residence_restore(struct dem_flows *f)
 }
 
 /* ---- snapshots ------------------------------------------------------------------------------- */
-
-int dem_residence_is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
-}
 
 void dem_residence_describe(const struct dem_flows *f, struct dem_text *t)
 {

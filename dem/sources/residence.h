@@ -37,6 +37,5 @@ void dem_residence_restore(struct dem_flows *);
 
 /* Lines with @ of the text of the scene in a snapshot. */
 void dem_residence_describe(const struct dem_flows *, struct dem_text *);
-int dem_residence_is_line(const char *line);
 
 #endif

@@ -200,10 +200,6 @@ static int check_names(const struct dem_streams *s)
                         s->outlet[o].name, s->outlet[o].name);
         }
     }
-    /* one more is used for the domain */
-    DEM_REQUIRE(s->streams + s->outlets + 2*s->planes < DEM_SNAPSHOT_FLOWS, DEM_ERROR_INPUT,
-                "%d streams and groups with `at`, %d outlets and %d planes, which count twice; the limit "
-                "is %d in all; join some", s->streams, s->outlets, s->planes, DEM_SNAPSHOT_FLOWS - 1);
     return DEM_OK;
 }
 

@@ -251,3 +251,27 @@ void dem_cell_add_velocities(const struct dem_state *state, int n, struct dem_ga
         g->vz[c] += rate[2]*g->rz[c];
     }
 }
+
+void dem_cell_backup(struct dem_state *state)
+{
+    struct dem_cell *const c = &state->cell;
+
+    memcpy(c->backup[0], state->domain.length, sizeof state->domain.length);
+    memcpy(c->backup[1], c->rate, sizeof c->rate);
+    memcpy(c->backup[2], c->integral, sizeof c->integral);
+    c->backup[3][0] = state->domain.offset;
+    c->backup[3][1] = c->strain;
+}
+
+void dem_cell_restore(struct dem_state *state)
+{
+    struct dem_cell *const c = &state->cell;
+
+    if (c->active)
+    {
+        memcpy(c->rate, c->backup[1], sizeof c->rate);
+        memcpy(c->integral, c->backup[2], sizeof c->integral);
+        c->strain = c->backup[3][1];
+        dem_cell_set_lengths(state, c->backup[0], c->backup[3][0]);
+    }
+}

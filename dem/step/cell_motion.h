@@ -39,4 +39,8 @@ int dem_cell_control_due(const struct dem_state *);
 /* Collective. Measure the stress and choose the rates of the held axes until the next time. */
 int dem_cell_control(struct dem_state *);
 
+/* Keep lengths, rates and strain of a cell with the backup of a run, and take them back. */
+void dem_cell_backup(struct dem_state *);
+void dem_cell_restore(struct dem_state *);
+
 #endif

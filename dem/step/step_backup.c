@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/step_backup.h"
+#include "step/cell_motion.h"
 #include "particles/domain.h"
 #include "ranks/agree.h"
 #include "records/wall_wear.h"
@@ -45,11 +46,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
     dem_flows_backup(state->flows);
     dem_wall_wear_backup(state);
-    memcpy(state->cell.backup[0], state->domain.length, sizeof state->domain.length);
-    memcpy(state->cell.backup[1], state->cell.rate, sizeof state->cell.rate);
-    memcpy(state->cell.backup[2], state->cell.integral, sizeof state->cell.integral);
-    state->cell.backup[3][0] = state->domain.offset;
-    state->cell.backup[3][1] = state->cell.strain;
+    dem_cell_backup(state);
     dem_wall_bodies_backup(state, half_kick ? half_kick->kick : 0.0);
     backup->time = state->time;
     backup->steps = state->steps;

@@ -178,15 +178,7 @@ static void reduce(struct dem_state *state, int wall, struct dem_wall_body *b,
         dem_binned_sum_flush(&b->sum[s]);
         memcpy(sum + s*DEM_BINNED_SUMS, b->sum[s].sum, sizeof b->sum[s].sum);
     }
-    for (int s = 0; s < DEM_WALL_BODY_TERMS; s++)
-    {
-        dem_sum_normalise(&sum[s]);
-    }
-    dem_collect_sum_int64(&state->decomposition, sum[0].part, DEM_WALL_BODY_TERMS*DEM_SUM_PARTS);
-    for (int s = 0; s < DEM_WALL_BODY_TERMS; s++)
-    {
-        total[s] = dem_sum_value(&sum[s]);
-    }
+    dem_totals_reduce_sums(state, sum, DEM_WALL_BODY_TERMS, total);
 }
 
 static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TERMS], double time,
@@ -243,13 +235,8 @@ static int check_servo(const struct dem_state *state, const struct dem_wall *of,
                        const struct dem_wall_body *b)
 {
     const struct dem_wall_body_state *const s = &b->state;
-    double radius = 0.0;
 
-    for (int m = 0; m < state->interaction_table.materials; m++)
-    {
-        radius = fmax(radius, state->interaction_table.max_radius[m]);
-    }
-    DEM_REQUIRE(s->free_path <= max_free_path*2.0*radius, DEM_ERROR_NUMBER,
+    DEM_REQUIRE(s->free_path <= max_free_path*2.0*state->pairs.max_radius, DEM_ERROR_NUMBER,
                 "wall %s has met nothing over %.3g m since %.6g s; place it nearer, or turn its axis "
                 "round", of->name, s->free_path, s->free_since);
     const double least = s->dashpot + 0.5*s->stiffness*state->dt;
