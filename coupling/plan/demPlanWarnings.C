@@ -147,6 +147,7 @@ void Foam::demPlan::ownWakeWarning(DynamicList<string>& warnings) const
 {
     const scalar excess = demOwnWake(particles_).uncorrected();
 
+    // below this the kernel matters less than the drag law, whose error is some per cent
     if (excess > 0.03)
     {
         warnings.append

@@ -9,7 +9,7 @@
  *     walls     { NAME { type plane|box|cylinder|sphere|triangles|stl|patch|surface;
  *                        material; motion { ... } ... } }
  *     domain    { min; max; | x; y; z; periodic (x y z); flat (x y z); leaving error|remove;
- *                 cell { xx { rate; | stress; start; end; } yy; zz; maxRate; } }
+ *                 cell { xx { rate; | stress; start; end; } yy; zz; xy { rate; } maxRate; } }
  *     insert    { NAME { type lattice|random|list|table|stream; ... } }
  *     shapes    { NAME { spheres ((x y z r) ...); } }          rigid bodies of several spheres
  *     outlets   { NAME { min; max; | cylinder; | sphere; | point; normal; | patch; } }

@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
-#include <float.h>
 #include <math.h>
 #include <string.h>
 

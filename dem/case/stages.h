@@ -22,10 +22,8 @@
 #include "dem_types.h"
 
 struct dem;
-struct dem_case;
 struct dem_dict;
 struct dem_text;
-struct dem_scene;
 struct dem_walls;
 
 enum dem_until

@@ -38,7 +38,7 @@ struct dem_scene_numbers
     double min_parcel_ratio, max_parcel_ratio;  /* 1  0: no parcels */
     double max_speed;                         /* m/s */
     int driven;                               /* 1: there are driven particles */
-    int frozen, wall_bodies;                  /* 1: there are frozen or driven ones; walls moved by force */
+    int frozen, wall_bodies;                  /* 1: there are frozen or driven particles; number of walls moved by force */
     int streams;                              /* number of streams */
 
     double gravity[3];                        /* m/s2 */

@@ -2,7 +2,7 @@
  * clump.h -- rigid bodies of several spheres (clumps): their state and motion.
  *
  * The spheres are ordinary particles, with ids that follow each other; contacts, their history and
- * ghosts are those of spheres. Each sphere of a body holds the whole state of it in a column, with
+ * ghosts work as for spheres. Each sphere of a body holds the whole state of it in a column, with
  * the same bits, so that sorting, migration, backups and snapshots carry bodies along. All spheres
  * of a body are on the rank that owns its centre.
  *

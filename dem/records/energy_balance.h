@@ -4,7 +4,7 @@
  *
  *   total = kinetic + gravity + elastic + lost + broken - work of walls
  *           - work of other body forces + carried out - carried in
- *           - supplied by edits between advances (run/edit_particles.c)
+ *           - supplied by edits between advances (run/edit.c)
  *           + gain of heat content - what it comes from (energy_work.c)
  *
  * The total is constant up to the error of the integrator; its change is the residual. Each term is

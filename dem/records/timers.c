@@ -66,7 +66,7 @@ void dem_timers_end_phase(struct dem_timers *t, enum dem_phase phase)
 {
     if (t->timed)
     {
-        end_phase(t, phase);
+        end_interval(t, &t->spent[phase]);
     }
 }
 

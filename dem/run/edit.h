@@ -30,7 +30,7 @@ struct dem_edit
     int64_t n;
     struct dem_edit_item *item;                 /* by id */
     int (*change)(struct dem *, const struct dem_edit *);
-    int lists;                                  /* 1: the lists change, */
+    int lists;                                  /* 1: the lists change */
     const struct dem_new_particle *new;         /* to add; NULL: none */
     struct dem_initial_particles add;           /* the same, checked */
     int64_t *id;                                /* and their ids */

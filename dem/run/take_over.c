@@ -26,7 +26,7 @@ static int same_effects(const struct dem *d, const struct dem *from)
     return same;
 }
 
-/* Elastic energies are those of this run, all else goes on. */
+/* Elastic energies come from this run; everything else goes on. */
 static void take_energy(struct dem *d, struct dem *from)
 {
     struct dem_energy_balance *const to = d->state.energy_balance,

@@ -145,7 +145,7 @@ int dem_flows_outlet_at(const struct dem_flows *, const double x[3]);
    when its path is not known. */
 int dem_flows_planes_passed(const struct dem_state *, size_t i, int passed[DEM_SNAPSHOT_FLOWS]);
 
-/* Collective, at the begin of a check: count the particles that have passed planes since the last one.
+/* Collective, at the beginning of a check: count the particles that have passed planes since the last one.
    `late` [s]: by how much velocities are behind positions. */
 int dem_flows_count_passages(struct dem_state *, double late);
 

@@ -4,8 +4,8 @@
  *
  * The column DEM_COLUMN_CHECKED_POSITION holds this position and the image counter that belongs to
  * it. With the counters the displacement is exact along periodic axes, whenever the particle was
- * wrapped. Of a rigid body of several spheres the centre counts. The line leads through images of the domain; the part in each is tested there, so an
- * outlet acts where it lies in the domain.
+ * wrapped. For a clump its centre counts. The line leads through images of the domain; the part in
+ * each is tested there, so an outlet acts where it lies in the domain.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -36,7 +36,8 @@ void dem_wall_body_pose(const struct dem_wall_body *b, const double q[3], struct
     }
 }
 
-double dem_wall_body_servo_damping(const struct dem_wall_body *b, double dt)
+/* Damping coefficient of a servo for steps of dt [s]. */
+static double servo_damping(const struct dem_wall_body *b, double dt)
 {
     const struct dem_wall_body_state *const s = &b->state;
 
@@ -85,7 +86,7 @@ int dem_wall_body_is_near(const struct dem_wall_body *b, double target)
 static void kick_servo(struct dem_wall_body *b, double target, const struct dem_wall_body_kick *in)
 {
     struct dem_wall_body_state *const s = &b->state;
-    const double error = target + s->force[0], c = dem_wall_body_servo_damping(b, in->dt);
+    const double error = target + s->force[0], c = servo_damping(b, in->dt);
     const double wanted = error + s->hold, most = b->max_speed;
 
     /* without contact c is 0, unless it is given */

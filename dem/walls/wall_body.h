@@ -69,7 +69,7 @@ struct dem_wall_body_state
     double force[3];                      /* N, N m  of the particles along the axes */
     double stiffness, impedance, dashpot, contacts, diameter;    /* the sums; mean diameter */
     double hold, height, near_time;       /* N, m, s  H; L, 0 before the target is near; for how long */
-    double free_path, free_since;         /* m, s  path since the last contact, and its begin */
+    double free_path, free_since;         /* m, s  path since the last contact, and when it began */
     double summed;                        /* 1: the sums are known; 0 before the first sweep */
 };
 
@@ -100,9 +100,6 @@ void dem_wall_body_free(struct dem_wall_body *);    /* NULL is allowed */
 
 /* The pose of its frame with the displacements q. */
 void dem_wall_body_pose(const struct dem_wall_body *, const double q[3], struct dem_pose *);
-
-/* Damping coefficient of a servo for steps of dt [s]. */
-double dem_wall_body_servo_damping(const struct dem_wall_body *, double dt);
 
 /* 1 when the force of the particles on a servo is near its target [N]. */
 int dem_wall_body_is_near(const struct dem_wall_body *, double target);

@@ -5,8 +5,8 @@
  *     lid  { type plane; ...; from press; }     there since the stage `press` has begun
  *
  * A wall that is not there keeps its facets and their numbers; the search for wall neighbors leaves
- * them out. A program changes that between two windows of steps, when contacts have been computed; the
- * contacts that end so are gone when the lists are made anew.
+ * them out. Walls come and go between two windows of steps (run/stage_tests.c). Contacts with a wall that
+ * goes end when the lists are made anew.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

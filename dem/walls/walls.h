@@ -358,8 +358,8 @@ void dem_walls_triangle_box(const struct dem_walls *, const struct dem_triangle 
 
 /* ---- walls that are not there all the time ---------------------------------------------------- */
 
-/* At this time [s] some walls are there and others not. Returns 1 when one has come or gone:
-   lists must be made anew. */
+/* Update which walls are there at this time [s]. Returns 1 if one has come or gone: lists must be made
+   anew. */
 int dem_walls_come_and_go(struct dem_walls *, double time);
 
 /* The first time after this one [s] at which a wall comes or goes, as far as it is known; infinite: none. */

@@ -30,8 +30,8 @@ FORCES = {
 REFUSED_FORCES = {
     "PlessisMasliyahDrag": "Suna has gidaspow, diFelice, kochHill, beetstra for the same range; "
                            "name ErgunWenYuDrag here to get gidaspow",
-    "nonSphereDrag": "Suna has spheres only",
-    "distortedSphereDrag": "Suna has spheres only",
+    "nonSphereDrag": "coupled runs have spheres only",
+    "distortedSphereDrag": "coupled runs have spheres only",
     "SRF": "particles of Suna have absolute velocities",
     "nonInertialFrame": "particles of Suna have absolute velocities",
     "paramagnetic": "Suna has no magnetic force",

@@ -8,7 +8,7 @@ A translator calls one method for each line that it reads, so nothing is left ou
     report.translated(place, "fix gravity", "effects/gravity")
     report.approximated(place, "viscous", "restitution falls with St; 0.68 for 0.69 at St 100")
     report.harmless(place, "neighbor", "lists tune themselves")
-    report.refuse(place, "atom_style ellipsoid", "Suna has spheres only")   # raises CannotTranslate
+    report.refuse(place, "atom_style ellipsoid", "no ellipsoids")   # raises CannotTranslate
 
 `refuse` raises. A translator that reads on to find the other faults, too, reads each line in a
 block `with collected():` and calls `raise_refused` at the end.
