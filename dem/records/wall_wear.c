@@ -273,26 +273,18 @@ static int64_t take(const char **at, int64_t end, int *good)
     return *good ? number : 0;
 }
 
-static int is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
-}
-
 int dem_wall_wear_resume(struct dem_state *state, int wall, const char *text, const char *path)
 {
     const struct dem_wall *const of = &state->walls.wall[wall];
     struct dem_wear_sum *const sum = sums_of(state, wall);
-    const size_t head = sizeof mark - 1, length = strlen(of->name);
+    const char *words;
     int good = 1;
 
-    for (const char *at = text; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    while ((words = dem_text_marked(&text, mark)))
     {
-        if (!is_line(at) || strncmp(at + head, of->name, length) != 0
-            || at[head + length] != ' ')
-        {
-            continue;
-        }
-        for (at += head + length; *at == ' ' && good;)
+        const char *at = dem_text_after(words, of->name);
+
+        while (at && *at && *at != '\n' && good)
         {
             struct dem_wear_sum *const s = &sum[take(&at, (int64_t)of->triangles, &good)];
 
