@@ -31,6 +31,26 @@ void Foam::demReports::reportStep(const struct ::dem_totals& before)
 }
 
 
+// A line for each stage that has begun since the last call
+void Foam::demReports::reportStages()
+{
+    const char* name = nullptr;
+    const char* why = nullptr;
+    double begin = 0;
+
+    while
+    (
+        (name = dem_run_stage(particles_.core(), stages_, &begin, &why))
+     && begin <= particles_.totals().time
+    )
+    {
+        Info<< "Suna: stage " << name << " begins at " << begin + particles_.offset() << " s"
+            << (why[0] ? ": " : "") << why << endl;
+        stages_++;
+    }
+}
+
+
 // Contacts that are too soft for the speeds and weights of this run
 void Foam::demReports::reportImpacts() const
 {
@@ -74,7 +94,8 @@ Foam::demReports::demReports(demParticles& particles, const demVoidFraction& vol
     losses_(particles.mesh()),
     bonds_(particles.mesh().time()),
     progress_(particles.mesh().time()),
-    edits_(particles.mesh().time(), particles.dict().file())
+    edits_(particles.mesh().time(), particles.dict().file()),
+    stages_(0)
 {}
 
 
@@ -84,6 +105,17 @@ void Foam::demReports::begin()
     progress_.watch(particles_.core());
     flowTable_.begin(particles_.core(), particles_.time());
     fields_.note(particles_.heading());
+
+    for (int wall = 0; wall < dem_wall_count(particles_.core()); wall++)
+    {
+        struct dem_wall_position place;
+        dem_wall_position(particles_.core(), wall, &place);
+        if (place.axes > 0)
+        {
+            Info<< "Suna: wall " << dem_wall_name(particles_.core(), wall) << " is moved by force;"
+                << " the fluid does not feel it and exerts no force on it" << endl;
+        }
+    }
 }
 
 
@@ -93,6 +125,7 @@ void Foam::demReports::endStep()
 
     particles_.readTotals();
     reportStep(before);
+    reportStages();
     progress_.end(particles_.totals().steps - before.steps);
     edits_.report();
     reportImpacts();

@@ -159,6 +159,12 @@ int dem_api_resume_walls(struct dem_case *c)
                                         "rows than before: the wall goes on from where it stood",
                                         was->name)
                          : DEM_OK);
+            const struct dem_wall_body *const b = dem_walls_body(w, k);
+
+            DEM_TRY(b && b->state.loaded > 0.0
+                        ? dem_api_note(c->d, "restart: wall %s has the load that the program has set, not the "
+                                       "scene's", was->name)
+                        : DEM_OK);
         }
     }
     return DEM_OK;

@@ -37,12 +37,6 @@ static int check_fluid(const struct dem *d)
     DEM_REQUIRE(!(d->coupled && d->state.applied_forces.n > 0), DEM_ERROR_INPUT,
                 "the scene has forces, which the balances of a coupled run do not know; remove "
                 "forces, or run the scene by itself");
-    DEM_REQUIRE(!(d->coupled && d->state.walls.bodies > 0), DEM_ERROR_INPUT,
-                "a wall is moved by force, to which the fluid does not add its own; give it a motion in "
-                "time, or run the scene by itself");
-    DEM_REQUIRE(!(d->coupled && (d->scene.stages.n > 0 || d->state.walls.passing > 0)), DEM_ERROR_INPUT,
-                "the scene has stages, or walls with from or until, which a coupled run does not know; "
-                "remove them, or run the scene by itself");
     DEM_REQUIRE(!(d->coupled && d->state.cell.active), DEM_ERROR_INPUT,
                 "domain/cell does not go with a coupled fluid; remove it, or run the scene by itself");
     DEM_REQUIRE(!(d->coupled && d->scene.shapes.n > 0), DEM_ERROR_INPUT,

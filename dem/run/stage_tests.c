@@ -7,6 +7,8 @@
  * without lasting 100 steps. They depend on the state alone, which has the same bits on any number
  * of ranks; a snapshot has what they remember (case/stages.c).
  *
+ * A coupled run tests at the end of each fluid step, which is one window.
+ *
  * A stage of rest does not end while particles of a stream or group that has begun are missing.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -135,7 +137,7 @@ static int test_stage(struct dem *d, const char **why)
     const double past = d->state.time + same_time*d->step - now->begin;
     int ended = 0;
 
-    if (now->until && is_test(s, d->state.time))
+    if (now->until && (d->coupled || is_test(s, d->state.time)))
     {
         DEM_TRY(now->until == DEM_UNTIL_QUIET ? rests(d, now, &ended) : carries(d, now, &ended));
     }
@@ -252,7 +254,7 @@ int dem_stages_advance(struct dem *d, double duration, int (*window)(struct dem 
     s->end = d->state.window.half_step_ahead && fabs(end - s->end) <= same_time*d->state.dt ? s->end : end;
     for (;;)
     {
-        const double next = next_end(d);
+        const double next = d->coupled ? s->end : next_end(d);
 
         DEM_TRY(window(d, next - d->state.time));
         if (d->state.window.half_step_ahead)    /* stopped */

@@ -54,12 +54,16 @@ int dem_wall_set_load(struct dem *d, const char *name, const double load[3])
     DEM_REQUIRE(b, DEM_ERROR_INPUT,
                 "dem_wall_set_load: there is no wall %s that is moved by force; give it a motion of type "
                 "free, hinge or servo", name);
+    if (!load)
+    {
+        b->state.loaded = 0.0;
+        return DEM_OK;
+    }
     DEM_REQUIRE(isfinite(load[0]) && isfinite(load[1]) && isfinite(load[2]), DEM_ERROR_NUMBER,
                 "dem_wall_set_load: the load (%g %g %g) of wall %s is not a number", load[0], load[1],
                 load[2], name);
-    dem_time_table_free(b->table);
-    b->table = NULL;
-    memcpy(b->force, load, sizeof b->force);
+    memcpy(b->state.load, load, sizeof b->state.load);
+    b->state.loaded = 1.0;
     return DEM_OK;
 }
 

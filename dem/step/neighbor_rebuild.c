@@ -232,7 +232,10 @@ int dem_neighbor_prune(struct dem_state *state, int rebuilt)
 
     state->prunes++;
     dem_walls_reset_marks(&state->walls, DEM_LIST_INNER);
-    dem_cell_list_made(state, DEM_LIST_INNER);
+    if (state->cell.active)
+    {
+        dem_cell_list_made(state, DEM_LIST_INNER);
+    }
     status = dem_pairs_prune(&state->pairs, &state->particles, &state->walls, &state->contacts);
     if (!status && rebuilt)
     {
@@ -295,7 +298,10 @@ static int build_lists(struct dem_state *state, int status)
     status = status ? status : dem_wall_touches_reserve(&state->touches, &state->pairs.wall_search);
     DEM_TRY(dem_agree(state, status));
     dem_walls_reset_marks(&state->walls, DEM_LIST_OUTER);
-    dem_cell_list_made(state, DEM_LIST_OUTER);
+    if (state->cell.active)
+    {
+        dem_cell_list_made(state, DEM_LIST_OUTER);
+    }
     DEM_TRY(dem_neighbor_prune(state, 1));
     count_lists(state);
     return DEM_OK;

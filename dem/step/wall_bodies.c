@@ -273,12 +273,9 @@ static int check_servo(const struct dem_state *state, const struct dem_wall *of,
 /* The servo has come near its target: from now on it makes up for an offset. */
 static void begin_to_hold(struct dem_state *state, struct dem_wall_body *b)
 {
-    double target[DEM_TIME_TABLE_COLUMNS] = {b->force[0]};
+    double target[DEM_TIME_TABLE_COLUMNS];
 
-    if (b->table)
-    {
-        dem_time_table_at(b->table, state->time - b->start, target);
-    }
+    dem_wall_body_load(b, state->time, target);
     const double wanted = target[0]*b->area;
 
     if (b->state.height == 0.0 && b->state.contacts > 0.0

@@ -67,17 +67,23 @@ static double servo_damping(const struct dem_wall_body *b, double dt)
                              : fmax(s->impedance, 1.5*(s->dashpot + 0.5*s->stiffness*dt));
 }
 
+void dem_wall_body_load(const struct dem_wall_body *b, double time, double load[DEM_TIME_TABLE_COLUMNS])
+{
+    memset(load, 0, DEM_TIME_TABLE_COLUMNS*sizeof *load);
+    memcpy(load, b->state.loaded > 0.0 ? b->state.load : b->force, sizeof b->force);
+    if (b->table && b->state.loaded <= 0.0)
+    {
+        dem_time_table_at(b->table, time - b->start, load);
+    }
+}
+
 /* The given force along each axis, the weight included. */
 static void given_force(const struct dem_wall_body *b, const struct dem_wall_body_kick *in,
                         double force[3])
 {
-    double given[DEM_TIME_TABLE_COLUMNS] = {b->force[0], b->force[1], b->force[2]}, weight[3],
-                                           arm[3], torque[3];
+    double given[DEM_TIME_TABLE_COLUMNS], weight[3], arm[3], torque[3];
 
-    if (b->table)
-    {
-        dem_time_table_at(b->table, in->time - b->start, given);
-    }
+    dem_wall_body_load(b, in->time, given);
     for (int a = 0; a < 3; a++)
     {
         weight[a] = b->weighs*in->gravity[a];

@@ -76,6 +76,7 @@ struct dem_wall_body_state
     double summed;                        /* 1: the sums are known; 0 before the first sweep */
     double turn[4], turn_before[4];       /* rotation of a free wall, a unit quaternion; a step ago */
     double momentum[3], torque[3];        /* kg m2/s, N m  about its centre; torque of the particles */
+    double load[3], loaded;               /* N, N m  1: of the program, in place of the scene's */
 };
 
 enum
@@ -123,6 +124,9 @@ void dem_wall_body_pose(const struct dem_wall_body *, int before, struct dem_pos
 
 /* The point about which it rotates [m]: on the axis of a hinge, the centre of mass of a free wall. */
 void dem_wall_body_centre(const struct dem_wall_body *, double centre[3]);
+
+/* The given load at a time [s]: of the program, from the table, or of the scene. */
+void dem_wall_body_load(const struct dem_wall_body *, double time, double load[DEM_TIME_TABLE_COLUMNS]);
 
 /* 1 when the force of the particles on a servo is near its target [N]. */
 int dem_wall_body_is_near(const struct dem_wall_body *, double target);

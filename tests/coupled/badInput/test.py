@@ -99,8 +99,6 @@ slips = [                                             # what, sentence, changes
      ("count 1500;", r"\g<0> driven yes;")),
     ("prescribed forces", "the scene has forces, which the balances of a coupled run",
      before("insert", "forces { pull { ids (0); force (0 0 1e-3); } }")),
-    ("stages", "the scene has stages, or walls with from or until, which a coupled run",
-     before("insert", "stages { fill { duration 1; } rest {} }")),
     ("clumps", "shapes: .*gravity alone acts on clumps",
      before("insert", "shapes { pair { spheres ((0 0 0 1e-4) (1e-4 0 0 1e-4)); } }")),
     ("an unknown set of equations", 'unknown equations "?IV', coupling("equations IV;")),
