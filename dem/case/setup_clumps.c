@@ -47,9 +47,7 @@ static int refuse_entries(const struct dem_case *c)
         {"a particle scalar", d->state.interaction_table.scalars > 0},
         {"forces", d->state.applied_forces.n > 0},
         {"fluid", d->scene.fluid.given},
-        {"averages", d->scene.averages > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
-        {"stresses of particles", c->virial},
         {"a coupled fluid", d->with_fluid},
     };
 

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "particles/clump.h"
 #include "records/virial.h"
 #include "particles/scalars.h"
 #include "ranks/dem_state.h"
@@ -118,14 +119,17 @@ static void particle_values(const struct dem_grid_columns *s, const struct dem_s
                             size_t particle, double *out)
 {
     const struct dem_particle *const q = &p->particles.record[particle];
+    const struct dem_clump *const b = dem_clump_of(&p->particles, particle);
+    const double *const v = b ? b->v : q->v;
 
-    out[VOLUME] = dem_particle_volume(q);
+    /* the masses of its spheres add up to the mass of a clump, the volumes do not where they overlap */
+    out[VOLUME] = b ? q->mass/p->interaction_table.material[q->material].density : dem_particle_volume(q);
     out[MASS] = q->mass;
     for (int k = 0; k < 3; k++)
     {
-        out[MOMENTUM + k] = q->mass*q->v[k];
-        out[FLUX + k] = q->mass*q->v[k]*q->v[k];
-        out[FLUX + 3 + k] = q->mass*q->v[k]*q->v[(k + 1)%3];
+        out[MOMENTUM + k] = q->mass*v[k];
+        out[FLUX + k] = q->mass*v[k]*v[k];
+        out[FLUX + 3 + k] = q->mass*v[k]*v[(k + 1)%3];
     }
     memcpy(out + VIRIAL, s->virial + 6*particle, 6*sizeof *out);
 }

@@ -5,6 +5,7 @@
  */
 #include "records/virial.h"
 #include "core/vec.h"
+#include "particles/clump.h"
 #include <string.h>
 
 /* Unit vector from the partner or the wall to particle i of the row. */
@@ -53,6 +54,21 @@ static void add_row(const struct dem_state *p, uint32_t row, double radius, doub
     }
 }
 
+/* The force f on a sphere of a clump acts at the sphere's centre, off the centre of the clump. */
+static void add_arm(const struct dem_clump *b, const double f[3], double w[6])
+{
+    double arm[3];
+
+    dem_clump_rotate(b->q, b->offset, arm);
+    for (int k = 0; k < 3; k++)
+    {
+        const int next = (k + 1)%3;
+
+        w[k] += f[k]*arm[k];
+        w[3 + k] += 0.5*(f[k]*arm[next] + f[next]*arm[k]);
+    }
+}
+
 void dem_virial_sum(const struct dem_state *p, double *virial)
 {
     const struct dem_contacts *const c = &p->contacts;
@@ -70,6 +86,12 @@ void dem_virial_sum(const struct dem_state *p, double *virial)
             {
                 add_row(p, row, p->particles.record[i].radius, w);
             }
+        }
+        const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+
+        if (b)
+        {
+            add_arm(b, dem_column(&p->particles, DEM_COLUMN_FORCE) + 3*i, w);
         }
     }
 }

@@ -94,10 +94,6 @@ void dem_cell_list_made(struct dem_state *state, int list)
 {
     struct dem_displacement *const m = &state->pairs.displacement[list];
 
-    if (!state->cell.active)
-    {
-        return;
-    }
     memcpy(state->cell.list_length[list], state->domain.length, sizeof state->domain.length);
     state->cell.list_offset[list] = state->domain.offset;
     set_slant(state, list);

@@ -42,8 +42,6 @@ LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or 
            ("nve/", "Suna has spheres, integrated by themselves"),
            ("sph/", "Suna has no smoothed particle hydrodynamics"),
            ("wall/sph", "Suna has no smoothed particle hydrodynamics"),
-           ("mesh/surface/stress/6dof", "Suna's walls are free along axes or on a hinge; give the "
-            "motion by hand, see docs/walls-and-boundaries.md"),
            ("break/", "Suna has no breakage"),
            ("multicontact", "Suna treats each contact by itself"),
            ("adapt", "Suna keeps the size of a particle; "

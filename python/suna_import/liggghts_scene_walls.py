@@ -144,10 +144,19 @@ class Walls:
                  "wiggle": lambda: f"type oscillation; amplitude {vector(v[:3])}; "
                  f"frequency {text(v[3])};",
                  "servo": lambda: f"type servo; axis {vector(v[:3])}; force {text(v[3])}; "
-                 f"maxSpeed {text(v[4])};"}[m.kind]()
+                 f"maxSpeed {text(v[4])};",
+                 "free": lambda: free_motion(v)}[m.kind]()
         words += f" start {text(m.start)};" if m.start > 0 else ""
         words += f" end {text(m.end)};" if math.isfinite(m.end) and m.end < self.end else ""
         return f"motion {{ {words} }}"
+
+
+def free_motion(v):
+    words = f"type free; axes ({' '.join(v['axes'])}); mass {text(v['mass'])};"
+    if v["rotations"]:
+        words += f" rotations ({' '.join(v['rotations'])}); centre {vector(v['centre'])}; inertia {vector(v['inertia'])};"
+        words += f" spin {vector(v['spin'])};" if any(v["spin"]) else ""
+    return words + (f" velocity {vector(v['velocity'])};" if any(v["velocity"]) else "")
 
 
 def frustum(a, ra, b, rb):

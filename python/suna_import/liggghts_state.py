@@ -29,7 +29,7 @@ class Wall:
 
 @dataclass
 class Motion:
-    kind: str                       # linear, rotate, wiggle, servo
+    kind: str                       # linear, rotate, wiggle, servo, free
     values: tuple                   # SI
     start: float
     place: object
@@ -56,7 +56,7 @@ class Mesh:
         x, moved = self.triangles, False
         for m in self.motions:
             t = min(time, m.end) - m.start
-            if t <= 0 or m.kind == "servo":     # where the load has moved it is not known
+            if t <= 0 or m.kind in ("servo", "free"):     # where the load has moved it is not known
                 continue
             moved = True
             if m.kind == "linear":

@@ -235,6 +235,46 @@ def mesh_servo(t, name, group, words):
                    "mesh/surface/stress/servo")
 
 
+# words of a rigid body: how many values they have
+BODY = {"com": 3, "vel": 3, "angmom": 3, "mass": 1, "moi": 6, "forceflags": 3, "torqueflags": 3}
+
+
+def mesh_body(t, name, group, words):
+    """A wall that moves freely; the rest of the words are of the mesh."""
+    given, others, found = words[:], type(words)(), {}
+    while given:
+        key = given.pop(0)
+        if key in ("rot_flip", "suspension"):
+            t.refuse("Suna's free walls do not know it", key)
+        if key in BODY:
+            found[key], given = given[:BODY[key]], given[BODY[key]:]
+        else:
+            others.append(key)
+    if not {"com", "mass", "moi"} <= set(found):
+        t.refuse("com, mass and moi belong to it", "mesh/surface/stress/6dof")
+    axes, rotations = ([a for a, flag in zip("xyz", found.get(key, "111")) if flag != "0"]
+                       for key in ("forceflags", "torqueflags"))
+    velocity = t.numbers(found.get("vel", ["0"]*3), "velocity")
+    if not axes or any(v and a not in axes for a, v in zip("xyz", velocity)):
+        t.refuse("a free wall of Suna moves along an axis at least, and at rest along the others", "forceflags")
+    if len(rotations) == 2:
+        t.refuse("walls of Suna rotate about one axis or about all", "torqueflags")
+    if len(rotations) == 1:
+        t.approximated("the axis of rotation stays fixed in space", "torqueflags")
+    unit = t.units.si("mass", 1)*t.units.si("length", 1)**2
+    I = unit*numpy.array(t.numbers(found["moi"]))
+    momentum = unit/t.units.si("time", 1)*numpy.array(t.numbers(found.get("angmom", ["0"]*3)))
+    spin = numpy.linalg.solve(I[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]], momentum)
+    if t.time > 0 and (any(velocity) or any(spin)):
+        t.refuse("a free wall of Suna that begins later begins at rest", "mesh/surface/stress/6dof")
+    mesh_stress(t, name, group, others)
+    t.meshes[name].motions.append(Motion("free", {
+        "axes": axes, "rotations": rotations, "mass": t.positive(found["mass"][0], "mass"),
+        "centre": t.numbers(found["com"], "length"), "inertia": tuple(I), "velocity": velocity,
+        "spin": tuple(spin)}, t.time, t.command.place, name=name))
+    t.translated("motion free")
+
+
 def move_mesh(t, name, group, words):
     wall, kind, rest = t.find(t.meshes, words[1], "mesh"), words[2], words[3:]
     if kind not in MOVES:
@@ -263,4 +303,5 @@ METHODS = {
     "mesh/surface/planar": mesh,
     "mesh/surface/stress": mesh_stress,
     "mesh/surface/stress/servo": mesh_servo,
+    "mesh/surface/stress/6dof": mesh_body,
     "move/mesh": move_mesh}

@@ -438,8 +438,15 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
             plate__stl=plate)
     refused(BASE.replace(line + "\n", pressed.replace("vel_max 0.1 ", "")), "belong to it",
             plate__stl=plate)
-    refused(BASE.replace(line, "fix s all mesh/surface/stress/6dof file plate.stl type 1"),
-            "on a hinge", plate__stl=plate)
+    body = servo.replace("servo", "6dof")
+    body = body[:body.index("com")] + "com 0 0 1 vel 0 0 -2 mass 3 moi 2 2 3 0 0 0.5 angmom 2 0 0 forceflags 0 0 1\n"
+    loose = "".join([body, *mesh.splitlines(True)[1:]])
+    has(translate(BASE.replace(line + "\n", loose), plate__stl=plate)[0],
+        "motion { type free; axes (z); mass 3; rotations (x y z); centre (0 0 1); inertia (2 2 3 0 0 0.5); "
+        "spin (1 0 0); velocity (0 0 -2); }")
+    for words, sentence in (("torqueflags 1 1 0", "about one axis or about all"), ("forceflags 1 1 0", "at rest along"),
+                            ("suspension k_t 1 c_t 1 k_r 1 c_r 1", "do not know it")):
+        refused(BASE.replace(line + "\n", loose.replace("forceflags 0 0 1", words)), sentence, plate__stl=plate)
     refused(
     BASE.replace(
         "plate",

@@ -406,6 +406,48 @@ static void scalars_by_mass(void)
     dem_free(w);
 }
 
+/* ---- clumps ---------------------------------------------------------------------------------- */
+
+/* A bed of clumps at rest between two planes, without weight: the mean stress over its room is minus force times
+   height over volume, with branches from the centres of the clumps only. Sides at rest carry theirs likewise. */
+static void clumps(void)
+{
+    static const double side = 6e-3, F = 0.02;
+    struct dem *const d = world(world_text(
+        "%s effects { hertz {} dry { restitution 0.1; } mindlin { friction 0.3; } } "
+        "shapes { nut { spheres ((0 0 0 0.5e-3) (0.6e-3 0 0 0.4e-3) (0.9e-3 0.4e-3 0 0.3e-3)); } } "
+        "walls { box { type box; min (0 0 0); max (%g %g 20e-3); } lid { type plane; point (0 0 9e-3); normal (0 0 -1); "
+        "motion { type servo; force %g; maxSpeed 0.3; } } } "
+        "insert { nuts { type random; shape nut; count 36; min (0 0 0); max (%g %g 8.9e-3); seed 3; } } "
+        "averages { room { min (-0.001 -0.001 -0.001); max (0.007 0.007 0.011); start 0.3; interval 1; } } ",
+        material, side, side, F, side, side), 0, NULL);
+    double force[3], torque[3], mass = 0.0, lowest, height;
+    struct dem_wall_position lid;
+    const double room = 8e-3*8e-3*12e-3;
+
+    world_run(d, 0.3);
+    read_table(d, "room");
+    for (int64_t id = 0; id < 108; id++)
+    {
+        mass += world_at(d, id).mass;
+    }
+    TAP_NEAR(at(0, "solidFraction")*room*2500.0/mass, 1.0, digits, "clumps: their volumes");
+    TAP_NEAR(at(0, "bulkDensity")*room/mass, 1.0, digits, "and masses");
+    WORLD_TRY(dem_wall_load(d, 6, force, torque));
+    dem_wall_position(d, 6, &lid);
+    height = 9e-3 + lid.shift[2];
+    TAP_OK(force[2] > 0.9*F, "they carry %g N", force[2]);
+    TAP_NEAR(at(0, "stressZZ")*room/(-force[2]*height), 1.0, 1e-3, "the mean stress is force times height");
+    lowest = 0.0;
+    for (int wall = 0; wall < 6; wall++)
+    {
+        WORLD_TRY(dem_wall_load(d, wall, force, torque));
+        lowest += strstr(dem_wall_name(d, wall), "boxMaxX") ? force[0]*side : 0.0;
+    }
+    TAP_NEAR(at(0, "stressXX")*room/-lowest, 1.0, 1e-2, "and across likewise");
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -425,6 +467,7 @@ int main(void)
     }
     scalars();
     scalars_by_mass();
+    clumps();
     rmdir(folder);
     TAP_DONE;
 }

@@ -531,7 +531,6 @@ static void refusals(void)
     refused("effects { twistingSpring { friction 0.1; } }", "", "twistingSpring");
     refused("fluid { density 1; viscosity 1e-5; }", "", "shapes: fluid does not work");
     refused("", "spin (0 0 1e6);", "the limit is 0.3 rad");
-    refused("averages { a { min (0 0 0); max (1 1 1); cells (1 1 1); interval 1; } }", "", "averages");
 }
 
 int main(void)
