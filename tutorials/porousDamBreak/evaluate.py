@@ -27,8 +27,7 @@ sys.path.append(str(HERE.parent/"shared"))
 import results                      # noqa: E402
 
 TANK, TOP, BLOCK = 0.89, 0.4375, (0.30, 0.59)   # m, length and height of the tank; the block along x
-NAMES = {"block": "block", "cells": "cells twice as large", "kernel": "kernel of 3 diameters",
-         "spheres": "spheres of 12.7 mm"}        # runs
+NAMES = {"block": "block", "cells": "cells twice as large", "kernel": "kernel of 3 diameters"}   # runs
 PLACES = [0.0, 0.45, 0.89]                      # m, where levels are compared one by one
 
 
@@ -59,7 +58,7 @@ def draw(runs):
     for axis, time in zip(axes, times):
         axis.axvspan(*(1e3*x for x in BLOCK), color=GREY, alpha=0.15, lw=0)
         axis.plot(*(1e3*measured()[time]).T, label="measured", **MEASURED)
-        for (name, run), colour, style in zip(runs.items(), (OURS, OTHER, GREY, "black"), ("-", "--", "-.", ":")):
+        for (name, run), colour, style in zip(runs.items(), (OURS, OTHER, GREY), ("-", "--", "-.")):
             line = levels(run, time)
             if line:
                 axis.plot(*(1e3*values for values in line), style, color=colour, label=name)

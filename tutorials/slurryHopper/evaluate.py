@@ -29,7 +29,7 @@ import results                      # noqa: E402
 from results import frames          # noqa: E402
 import side                         # noqa: E402
 
-D, RHO, COUNT = 2.5e-3, 2500, 6000
+D, RHO = 2.5e-3, 2500
 SLOT, BIN, DEPTH, CONE, TOP = 0.02, 0.08, 0.02, 0.04, 0.16   # m; CONE is the height of the sloping walls
 
 
@@ -38,17 +38,21 @@ def table_of(run, name):
         return list(csv.DictReader(file))
 
 
+def grains(run):
+    return int(re.search(r"count (\d+);", (run/"constant/demProperties").read_text())[1])
+
+
 def left(run):
     """Times of the record and mass of the grains that have left [s, kg]."""
     listed = [(time, len(frames.read_frame(path, at)[0])) for time, path, at in frames.list_frames(run)]
     time, count = numpy.array(listed).T
-    return time, (COUNT - count)*RHO*math.pi/6*D**3
+    return time, (grains(run) - count)*RHO*math.pi/6*D**3
 
 
 def rate(run):
     """Rate [kg/s] and half of its 95 % interval, from four parts of the steady time; None if it is too short."""
     time, mass = left(run)
-    whole = COUNT*RHO*math.pi/6*D**3
+    whole = grains(run)*RHO*math.pi/6*D**3
     steady = (mass > 0.2*whole) & (mass < 0.6*whole)
     if steady.sum() < 12 or mass[-1] < 0.6*whole:
         return None
