@@ -114,6 +114,7 @@ static const struct row
     {"walls/plate/type", "triangles", WORD, 1},
     {"walls/plate/material", "glass", WORD, 1},
     {"walls/plate/corners", "((0.2 0.7 0.1) (0.3 0.7 0.1) (0.2 0.8 0.1))", VECTORS, 1},
+    {"walls/plate/wear/law", "finnie", WORD, 0},
     {"walls/plate/wear/coefficient", "1e-4", NUMBER, 1},
     {"walls/plate/wear/hardness", "1e9", NUMBER, 1},
     {"walls/plate/motion/type", "free", WORD, 1},
