@@ -101,7 +101,7 @@ passes_signals()
 {
     local k
     (cd "$work" && exec mpirun -np 2 bash -c \
-        'trap "exit 0" USR1; touch ready.$OMPI_COMM_WORLD_RANK; for k in {1..100}; do sleep 0.1; done; exit 1') &
+        'trap "exit 0" USR1; touch ready.${OMPI_COMM_WORLD_RANK-$PMI_RANK}; for k in {1..100}; do sleep 0.1; done; exit 1') &
     runner=$!
     for ((k = 0; k < 200; k++))
     do
