@@ -112,7 +112,10 @@ static int wrap_and_remove(struct dem_state *state, int weighted)
     for (size_t i = 0; i < n && !status; i++)
     {
         dem_domain_wrap(&state->domain, &record[i]);
-        dem_clump_wrap(&state->domain, &state->particles, i);
+        if (dem_clump_of(&state->particles, i))
+        {
+            dem_clump_wrap(&state->domain, &state->particles, i);
+        }
         const double *const home = dem_clump_home(&state->particles, i);
         const int outlet = dem_flows_outlet(state, i);
         const int absorbed = state->walls.absorbing && !state->flows->asked
@@ -288,7 +291,9 @@ static int build_lists(struct dem_state *state, int status)
     dem_walls_wrap(&state->walls);
     status = hold_triangles(state, status);
     status = status ? status : dem_pairs_order(&state->pairs, &state->particles);
-    status = status ? status : dem_clumps_index(&state->clumps, &state->particles);
+    status = status || !dem_column(&state->particles, DEM_COLUMN_CLUMP)
+               ? status
+               : dem_clumps_index(&state->clumps, &state->particles);
     status = dem_halo_build(&state->halo, status, &state->particles, &state->domain,
                             state->pairs.max_radius, state->pairs.outer);
     status = status ? status

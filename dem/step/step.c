@@ -74,7 +74,10 @@ static double drift_particles(struct dem_state *state)
     {
         return dem_cell_drift(state, state->dt);
     }
-    dem_clumps_drift(&state->clumps, &state->particles, &state->domain, state->dt);
+    if (state->clumps.n > 0)
+    {
+        dem_clumps_drift(&state->clumps, &state->particles, &state->domain, state->dt);
+    }
     dem_drift_particles(state->particles.record, state->particles.n, state->dt, state->domain.round,
                         &speeds);
     return dem_drift_max_speed(&speeds);
