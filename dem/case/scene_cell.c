@@ -11,6 +11,11 @@
 #include "step/cell_motion.h"
 #include <math.h>
 
+enum
+{
+    ROOM = 8    /* largest coordinates over the ones of the scene */
+};
+
 /* Entry 3 is the simple shear, which crosses the faces of y. */
 static int read_axis(struct dem_cell_axis *a, const struct dem_domain *d, const struct dem_dict *dict, int k)
 {
@@ -42,15 +47,14 @@ static int read_axis(struct dem_cell_axis *a, const struct dem_domain *d, const 
     return dem_dict_check_times(entry, "start", "end", (const double[2]){a->start, a->end}, a->stage);
 }
 
+/* Powers of 2, so that the unit stays one. */
 static void give_room(struct dem_cell *c, struct dem_domain *d, int k)
 {
-    const double room = 8;    /* largest coordinates over the ones of the scene; a power of 2 like the unit */
-
     c->first_max[k] = d->max[k];
     if (c->axis[k].deforms)
     {
-        d->unit[k] *= room;
-        d->round[k] *= room;
+        d->unit[k] *= ROOM;
+        d->round[k] *= ROOM;
         d->length[k] = d->unit[k]*rint(d->length[k]/d->unit[k]);
         d->max[k] = d->min[k] + d->length[k];
         c->farthest[k] = 0x1p53*d->unit[k];
