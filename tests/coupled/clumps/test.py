@@ -128,7 +128,7 @@ def drop(A, A_l):
     Cd = (8/Re/math.sqrt(disc/(half - A_l)) + 16/Re/math.sqrt(phi) + 3/math.sqrt(Re)/phi**0.75
           + 0.42*10**(0.4*(-math.log10(phi))**0.2)*A/disc)
     chi = 3.7 - 0.65*math.exp(-0.5*(1.5 - math.log10(Re))**2)
-    return 0.5*rho*U**2*Cd*disc/width**3*e**-chi
+    return 0.5*rho*U**2*Cd*disc/width**3*e**(-1 - chi)
 
 
 for name, turn, areas in (("along", "0.70710678118654752 0 0.70710678118654752 0", (pi*R**2, 2*pi*R**2)),
