@@ -38,7 +38,7 @@ struct dem_clump_shape
     double *share;                    /* 1  of each sphere; owned */
     double volume, centre[3];         /* m3, m  of the union */
     double inertia[3];                /* m5  principal moments over the density */
-    double principal[4];              /* quaternion from the principal axes to those of the scene */
+    double principal[4];              /* quaternion from the principal axes to the scene's */
     double solid;                     /* m3  sum of the volumes of the spheres */
     double step_volume;               /* m3  for the limit of the time step, see above */
     double bound, reach;              /* m  radius of the sphere around the centre that holds the
