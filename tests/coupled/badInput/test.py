@@ -99,7 +99,7 @@ slips = [                                             # what, sentence, changes
      ("count 1500;", r"\g<0> driven yes;")),
     ("prescribed forces", "the scene has forces, which the balances of a coupled run",
      before("insert", "forces { pull { ids (0); force (0 0 1e-3); } }")),
-    ("clumps", "shapes: .*gravity alone acts on clumps",
+    ("clumps with added mass", "shapes: .*virtualMass acts on single spheres", ("pressureGradient {}", r"\g<0> virtualMass {}"),
      before("insert", "shapes { pair { spheres ((0 0 0 1e-4) (1e-4 0 0 1e-4)); } }")),
     ("an unknown set of equations", 'unknown equations "?IV', coupling("equations IV;")),
     ("equations of a fluid that feels nothing", "equations says how the fluid feels.*twoWay no",
