@@ -33,14 +33,16 @@ Description
     share the net force of a face in proportion to their inertia, not by geometry: else
     the light fluid would get half of a force on the heavy one.
 
-    Not included: moving meshes, the sets I and III, heat, fvOptions, implicit MULES,
+    The mesh may move (dynamicFvMesh) without changes of topology, as in demPimpleFoam.
+
+    Not included: the sets I and III, heat, fvOptions, implicit MULES,
     contact angles on particles.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "IOdictionary.H"
+#include "dynamicFvMesh.H"
 #include "volumeAveragedTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
@@ -48,6 +50,7 @@ Description
 #include "demDrivingForce.H"
 #include "demFiles.H"
 #include "demFluid.H"
+#include "demMeshCheck.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkTimeScheme.H"
@@ -64,27 +67,6 @@ Description
 
 namespace Foam
 {
-
-// Refuse a mesh that moves
-static void checkMesh(const fvMesh& mesh)
-{
-    IOobject file
-    (
-        demFileAt(mesh.time().constant(), "dynamicMeshDict", mesh, IOobject::MUST_READ)
-    );
-
-    if (file.typeHeaderOk<IOdictionary>(true))
-    {
-        const word type(IOdictionary(file).getOrDefault<word>("dynamicFvMesh", "staticFvMesh"));
-        if (type != "staticFvMesh")
-        {
-            FatalErrorInFunction
-                << "dynamicFvMesh is " << type << " in constant/dynamicMeshDict, but the mesh"
-                << " of demInterFoam does not move: give staticFvMesh" << exit(FatalError);
-        }
-    }
-}
-
 
 // Refuse what the equations of two fluids do not have
 static void checkParticles(const demCloud& cloud)
@@ -140,14 +122,13 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     #include "createTime.H"
     demRun run(args, runTime);
-    #include "createMesh.H"
+    #include "createDynamicFvMesh.H"
 
     if (run.settle(mesh))
     {
         return 0;
     }
 
-    checkMesh(mesh);
     pimpleControl pimple(mesh);
 
     checkTimeScheme(mesh, "ddt(mass)");
@@ -185,6 +166,14 @@ int main(int argc, char *argv[])
         ++runTime;
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        #include "moveMesh.H"
+        if (mesh.moving())
+        {
+            gh = (gravity & mesh.C()) - ghRef;
+            ghf = (gravity & mesh.Cf()) - ghRef;
+            fluids.correct();
+        }
 
         // One exchange per step: the forces of the particles stay constant during
         // the iterations of the fluids. gradP differs from the one that the particles
