@@ -49,9 +49,6 @@ refused("a density of the fluid in the coupling", scene, [("coupling {", "coupli
 refused("heat", scene, [("gidaspow", "wakao {} gidaspow"), ("density 2500;", "density 2500; heatCapacity 800;")],
         "transfer heat, but demInterFoam has no temperature")
 
-case.dictionary("constant/dynamicMeshDict", "dynamicFvMesh dynamicMotionSolverFvMesh;")
-claim_refused("a moving mesh", case, "the mesh of demInterFoam does not move", "demInterFoam")
-case.remove("constant/dynamicMeshDict")
 case.dictionary("constant/fvOptions", "drive { type meanVelocityForce; selectionMode all; fields (U); Ubar (1 0 0); }")
 claim_refused("sources", case, "demInterFoam has none: take them out", "demInterFoam")
 case.remove("constant/fvOptions")
