@@ -174,8 +174,12 @@ claim("pitch: the fluids move in the vessel", largest(case.interior("U")) > 0.05
 straight = (case/end).rename(case/"straight")
 case.edit("system/controlDict", startTime=0.015625)
 case.run("demInterFoam")
-found = [path.name for path in straight.iterdir() if path.is_file() and not agrees(path, case/end/path.name)]
+found = [path.name for path in straight.iterdir() if path.is_file() and path.name != "alpha.water"
+         and not agrees(path, case/end/path.name)]
 claim("pitch: continues with the bits of the uninterrupted run, fields", not found, *found)
+# OpenFOAM reads numbers below 1e-300 as 0
+off = difference(case.field(straight/"alpha.water"), case.interior("alpha.water"))
+claim("pitch: continues with the same alpha (1e-300)", off < 1e-300, off)
 claim("pitch: continues with the bits of the uninterrupted run, particles",
       lambda: snapshot_hash(straight/"uniform/dem.snapshot") == snapshot_hash(case/end/"uniform/dem.snapshot"))
 case.edit("system/controlDict", startTime=0)
