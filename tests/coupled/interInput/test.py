@@ -51,7 +51,8 @@ refused("heat", scene, [("gidaspow", "wakao {} gidaspow"), ("density 2500;", "de
 
 slides = "cyclicAMI; neighbourPatch {}; transform translational; separationVector ({} 0 0)"
 case.box((0.01, 0.01, 0.02), (3, 3, 6), {"left": (slides.format("right", -0.01), "x-"),
-                                         "right": (slides.format("left", 0.01), "x+"), "walls": ("wall", "y- y+ z- z+")})
+                                         "right": (slides.format("left", 0.01), "x+"),
+                                         "walls": ("wall", "y- y+ z- z+")})
 case.dictionary("constant/dynamicMeshDict", """dynamicFvMesh dynamicMotionSolverFvMesh;
 motionSolver solidBody; solidBodyMotionFunction linearMotion; velocity (0 0 0.1);""")
 claim_refused("a sliding interface in a moving mesh", case, "sliding interface left (cyclicAMI)", "demInterFoam")
