@@ -59,6 +59,10 @@ void dem_api_begin_walls(struct dem *);
 int dem_api_add_mesh_walls(struct dem *);
 int dem_api_position_mesh_walls(struct dem *);
 
+/* Collective, when the walls have been read: masses of free walls that are solids, and their spins. */
+int dem_api_begin_bodies(struct dem *);
+
+
 /* Collective. Read the scene and check it, without particles. */
 int dem_api_read_scene(struct dem_case *);
 

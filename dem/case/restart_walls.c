@@ -103,17 +103,13 @@ void dem_api_describe_motions(const struct dem_walls *w, double time, struct dem
     }
 }
 
-/* Does a line of the text stand for this wall? Its words go to `was`. */
-static int read_line(const char *line, const char *name, struct dem_wall_before *was)
+/* Do the words of a line stand for this wall? They go to `was`. */
+static int read_line(const char *words, const char *name, struct dem_wall_before *was)
 {
-    const size_t head = sizeof mark - 1, length = strlen(name);
-    const char *at = line + head;
+    const size_t length = strlen(name);
+    const char *at = words;
     uint64_t word[WORDS];
 
-    if (strncmp(line, mark, head) != 0)
-    {
-        return 0;
-    }
     for (int k = 0; k < WORDS; k++)
     {
         char *end;
@@ -137,9 +133,9 @@ static struct dem_wall_before find_motion(const char *text, const struct dem_sna
 {
     struct dem_wall_before was = {.motion = w->motion, .base = w->base};
 
-    for (const char *at = text; at && !was.compound; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    for (const char *words; !was.compound && (words = dem_text_marked(&text, mark));)
     {
-        was.compound = read_line(at, w->name, &was);
+        was.compound = read_line(words, w->name, &was);
     }
     return was;
 }

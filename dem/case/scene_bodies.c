@@ -8,17 +8,20 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "walls/wall_motion.h"
+#include "walls/wall_turn.h"
 #include <math.h>
 #include <string.h>
 
-static int read_load_table(const struct dem_dict *dict, const char *name, struct dem_wall_body *b)
+static int read_load_table(const struct dem_dict *dict, const char *name, const struct dem_wall_body *b,
+                           struct dem_time_table **to)
 {
     static const char *const vector[] = {"x", "y", "z"}, *const number[] = {"value"};
     const struct dem_dict *sub;
 
     DEM_TRY(dem_dict_sub(dict, name, &sub));
-    return b->kind == DEM_WALL_BODY_FREE ? dem_scene_read_time_table(sub, vector, 3, &b->table)
-                                         : dem_scene_read_time_table(sub, number, 1, &b->table);
+    return b->kind == DEM_WALL_BODY_FREE ? dem_scene_read_time_table(sub, vector, 3, to)
+                                         : dem_scene_read_time_table(sub, number, 1, to);
 }
 
 /* A vector for a free wall, else a number; or a table. */
@@ -29,7 +32,7 @@ static int read_load(const struct dem_dict *dict, const char *name, const char *
 
     if (dem_dict_has_dict(dict, name))
     {
-        return read_load_table(dict, name, b);
+        return read_load_table(dict, name, b, &b->table);
     }
     return b->kind == DEM_WALL_BODY_FREE ? dem_dict_vector_or(dict, name, unit, zero, b->force)
            : b->kind == DEM_WALL_BODY_SERVO ? dem_dict_number(dict, name, unit, &b->force[0])
@@ -58,16 +61,16 @@ static int read_damping(const struct dem_dict *dict, const char *unit, double le
 
 /* ---- free ------------------------------------------------------------------------------------ */
 
-/* axes (x z): coordinate axes. */
-static int read_axes(const struct dem_dict *dict, struct dem_wall_body *b)
+/* axes (x z), rotations (y): coordinate axes. */
+static int read_axes(const struct dem_dict *dict, const char *name, double axis[3][3], int *axes)
 {
     static const char *const known[] = {"x", "y", "z"};
     const char *const *word;
     size_t n;
 
-    DEM_TRY(dem_dict_words(dict, "axes", &word, &n));
+    DEM_TRY(dem_dict_words(dict, name, &word, &n));
     DEM_REQUIRE(n >= 1 && n <= 3, DEM_ERROR_INPUT,
-                "%s: axes with %zu words; give one to three of x y z", dem_dict_where(dict), n);
+                "%s: %s with %zu words; give one to three of x y z", dem_dict_where(dict), name, n);
     for (size_t k = 0; k < n; k++)
     {
         int a = 0;
@@ -83,28 +86,103 @@ static int read_axes(const struct dem_dict *dict, struct dem_wall_body *b)
         }
         for (size_t m = 0; m < k; m++)
         {
-            DEM_REQUIRE(b->axis[m][a] == 0.0, DEM_ERROR_INPUT,
-                        "%s: axes has %s twice; give each once", dem_dict_where(dict), word[k]);
+            DEM_REQUIRE(axis[m][a] == 0.0, DEM_ERROR_INPUT,
+                        "%s: %s has %s twice; give each once", dem_dict_where(dict), name, word[k]);
         }
-        b->axis[k][a] = 1.0;
+        axis[k][a] = 1.0;
     }
-    b->axes = (int)n;
+    *axes = (int)n;
     return DEM_OK;
 }
 
-static int read_free(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
-{
-    bool weight;
+/* ---- rotation of a free wall ----------------------------------------------------------------- */
 
-    b->kind = DEM_WALL_BODY_FREE;
-    DEM_TRY(read_positive(dict, "mass", "kg", &b->mass));
-    DEM_TRY(read_damping(dict, "kg/s", 0.0, b));
-    DEM_TRY(dem_dict_switch_or(dict, "weight", true, &weight));
-    b->weighs = weight ? b->mass : 0.0;
-    DEM_TRY(read_load(dict, "force", "N", b));
+/* inertia (xx yy zz) or (xx yy zz xy xz yz): elements of the tensor about the centre. */
+static int read_inertia(const struct dem_dict *dict, struct dem_wall_turn *t)
+{
+    const double *number;
+    size_t n;
+
+    DEM_TRY(dem_dict_vector(dict, "centre", "m", t->centre));
+    DEM_TRY(dem_dict_numbers(dict, "inertia", "kg m2", &number, &n));
+    DEM_REQUIRE(n == 3 || n == 6, DEM_ERROR_INPUT,
+                "%s: inertia with %zu numbers; give three (xx yy zz) or six (xx yy zz xy xz yz)",
+                dem_dict_where(dict), n);
+    for (int k = 0; k < 3; k++)
+    {
+        t->tensor[k][k] = number[k];
+        for (int l = 0; l < k && n == 6; l++)
+        {
+            t->tensor[k][l] = t->tensor[l][k] = number[2 + k + l];
+        }
+    }
+    dem_wall_turn_prepare(t, &dem_pose_identity);
+    DEM_REQUIRE(!dem_wall_turn_impossible(t), DEM_ERROR_INPUT,
+                "%s: no body has the inertia about its centre with the principal moments (%g %g %g) kg m2; each "
+                "is above 0 and at most the sum of the others", dem_dict_where(dict), t->inertia[0],
+                t->inertia[1], t->inertia[2]);
+    return DEM_OK;
+}
+
+/* From `density` all follows (setup_bodies.c). */
+static int read_mass(const struct dem_dict *dict, struct dem_wall_body *b)
+{
+    if (!dem_dict_has(dict, "density"))
+    {
+        DEM_TRY(read_positive(dict, "mass", "kg", &b->mass));
+        return b->turn.axes > 0 ? read_inertia(dict, &b->turn) : DEM_OK;
+    }
+    DEM_REQUIRE(!dem_dict_has(dict, "mass") && !dem_dict_has(dict, "inertia") && !dem_dict_has(dict, "centre"),
+                DEM_ERROR_INPUT, "%s: both density and mass, centre or inertia; density gives them all, so keep one",
+                dem_dict_where(dict));
+    return read_positive(dict, "density", "kg/m3", &b->turn.density);
+}
+
+static int read_turn(const struct dem_dict *dict, struct dem_wall_body *b)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+    struct dem_wall_turn *const t = &b->turn;
+    double axis[3][3] = {{0.0}};
+
+    if (!dem_dict_has(dict, "rotations"))
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(read_axes(dict, "rotations", axis, &t->axes));
+    DEM_REQUIRE(t->axes != 2, DEM_ERROR_INPUT, "%s: rotations about two axes, which would not stay fixed in "
+                "space; give one or three", dem_dict_where(dict));
+    memcpy(t->axis, axis[0], sizeof t->axis);
+    DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, t->spin));
+    DEM_TRY(dem_dict_number_or(dict, "angularDamping", "N m s/rad", 0.0, &t->damping));
+    DEM_REQUIRE(t->damping >= 0.0, DEM_ERROR_INPUT, "%s: angularDamping %g N m s/rad; give a number above or equal "
+                "to 0", dem_dict_where(dict), t->damping);
+    return dem_dict_has_dict(dict, "torque") ? read_load_table(dict, "torque", b, &t->table)
+                                             : dem_dict_vector_or(dict, "torque", "N m", zero, t->torque);
+}
+
+/* Velocity and spin at the start of the run. */
+static int read_velocity(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+    double v[3];
+
+    DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, v));
+    for (int k = 0; k < b->axes; k++)
+    {
+        b->state.v[k] = dem_vec_dot(v, b->axis[k]);
+    }
+    DEM_REQUIRE(!(dem_dict_has(dict, "velocity") || dem_dict_has(dict, "spin"))
+                    || !(dem_dict_has(dict, "start") || of->there[0] > -INFINITY || of->there_stage[0]),
+                DEM_ERROR_INPUT, "%s: velocity and spin hold at the start of the run, but wall %s moves later; take "
+                "them out, or start and from", dem_dict_where(dict), of->name);
+    return DEM_OK;
+}
+
+static int read_free_axes(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+{
     if (dem_dict_has(dict, "axes"))
     {
-        return read_axes(dict, b);
+        return read_axes(dict, "axes", b->axis, &b->axes);
     }
     if (dem_dict_has(dict, "axis") || of->shape == DEM_SHAPE_PLANE)
     {
@@ -118,6 +196,21 @@ static int read_free(const struct dem_dict *dict, const struct dem_wall *of, str
         b->axis[k][k] = 1.0;
     }
     return DEM_OK;
+}
+
+static int read_free(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+{
+    bool weight;
+
+    b->kind = DEM_WALL_BODY_FREE;
+    DEM_TRY(read_turn(dict, b));
+    DEM_TRY(read_mass(dict, b));
+    DEM_TRY(read_damping(dict, "kg/s", 0.0, b));
+    DEM_TRY(dem_dict_switch_or(dict, "weight", true, &weight));
+    b->weighs = !weight ? 0.0 : b->turn.density > 0.0 ? 1.0 : b->mass;    /* 1: times the mass to come */
+    DEM_TRY(read_load(dict, "force", "N", b));
+    DEM_TRY(read_free_axes(dict, of, b));
+    return read_velocity(dict, of, b);
 }
 
 /* ---- hinge ----------------------------------------------------------------------------------- */
@@ -237,7 +330,7 @@ int dem_scene_read_body(const struct dem_dict *dict, const char *type, const str
     }
     DEM_TRY(DEM_NEW(b, 1));
     *made = b;
-    b->area = 1.0;
+    b->area = b->state.turn[0] = b->state.turn_before[0] = 1.0;
     DEM_TRY(dem_scene_read_times(dict, &b->start, &b->end, b->stage));
     DEM_REQUIRE(of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
                 "%s: wall %s is round; only planes and triangles are moved by force",

@@ -10,8 +10,6 @@
 #include "ranks/collect.h"
 #include "step/cell_motion.h"
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum
 {
@@ -162,35 +160,21 @@ void dem_cell_describe(const struct dem *d, struct dem_text *t)
     }
 }
 
-static int is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
-}
-
 void dem_cell_resume(struct dem *d, const char *text)
 {
     struct dem_cell *const c = &d->state.cell;
-    const char *at = text;
+    const char *const words = dem_text_marked(&text, mark);
+    double x[11], length[3];
 
-    while (c->active && at && *at && !is_line(at))
+    if (c->active && words && dem_text_numbers(words, x, 11) == 11)
     {
-        at = strchr(at, '\n');
-        at = at ? at + 1 : NULL;
-    }
-    if (c->active && at && *at)
-    {
-        double length[3];
-        char *rest = (char *)(uintptr_t)(at + sizeof mark - 1);
-
         for (int k = 0; k < 3; k++)
         {
-            length[k] = strtod(rest, &rest);
-            c->rate[k] = strtod(rest, &rest);
-            c->integral[k] = strtod(rest, &rest);
+            length[k] = x[3*k];
+            c->rate[k] = x[3*k + 1];
+            c->integral[k] = x[3*k + 2];
         }
-        const double offset = strtod(rest, &rest);
-
-        c->strain = strtod(rest, &rest);
-        dem_cell_set_lengths(&d->state, length, offset);
+        c->strain = x[10];
+        dem_cell_set_lengths(&d->state, length, x[9]);
     }
 }

@@ -197,16 +197,23 @@ static int check_bodies(const struct dem_walls *w, const struct dem_dict *dict, 
     return DEM_OK;
 }
 
-/* wear { coefficient; hardness; } of triangles. */
+/* wear { law; coefficient; hardness; } of triangles. */
 static int read_wear(const struct dem_dict *dict, struct dem_wall *of)
 {
+    static const char *const laws[] = {"archard", "finnie"};
     const struct dem_dict *wear;
+    const char *law;
     double coefficient, hardness;
 
     DEM_TRY(dem_dict_sub_if(dict, "wear", &wear));
     if (!wear)
     {
         return DEM_OK;
+    }
+    DEM_TRY(dem_dict_word_or(wear, "law", laws[0], &law));
+    if (strcmp(law, laws[0]) != 0 && strcmp(law, laws[1]) != 0)
+    {
+        return dem_error_prefix(dem_did_you_mean_error("law of wear", law, laws, 2), "%s: ", dem_dict_where(wear));
     }
     DEM_TRY(dem_dict_number(wear, "coefficient", "1", &coefficient));
     DEM_TRY(dem_dict_number(wear, "hardness", "Pa", &hardness));
@@ -217,6 +224,7 @@ static int read_wear(const struct dem_dict *dict, struct dem_wall *of)
                 "%s: wall %s has no triangles, whose wear could be summed; build it from triangles",
                 dem_dict_where(wear), of->name);
     of->wear = coefficient/hardness;
+    of->wears_by_impact = strcmp(law, laws[1]) == 0;
     return DEM_OK;
 }
 

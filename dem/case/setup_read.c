@@ -105,7 +105,8 @@ static int read_scene(struct dem_case *c)
     DEM_TRY(dem_scene_read_materials(d->dict, &p->interaction_table));
     dem_api_begin_walls(d);
     DEM_TRY(dem_api_add_mesh_walls(d));
-    DEM_TRY(dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain));
+    DEM_TRY(dem_api_agree(d, dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain)));
+    DEM_TRY(dem_api_begin_bodies(d));
     p->cell = d->scene.cell;
     DEM_TRY(dem_scene_read_forces(d->dict, &p->interaction_table, &p->applied_forces));
     DEM_TRY(dem_api_assign_patches(d));

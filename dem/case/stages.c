@@ -13,7 +13,6 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- reading --------------------------------------------------------------------------------- */
@@ -216,29 +215,12 @@ void dem_stages_describe(const struct dem_run_stages *s, struct dem_text *t)
     }
 }
 
-/* The numbers of a line into `number`; returns how many. */
-static int read_numbers(const char *at, double *number, int most)
-{
-    int n = 0;
-    char *rest;
-
-    for (; n < most; n++, at = rest)
-    {
-        number[n] = strtod(at, &rest);
-        if (rest == at)
-        {
-            break;
-        }
-    }
-    return n;
-}
-
 static void resume_test(struct dem_run_stages *s, const char *line)
 {
     double x[9];
     struct dem_run_stage *const now = &s->stage[s->present];
 
-    if (read_numbers(line, x, 9) == 9)
+    if (dem_text_numbers(line, x, 9) == 9)
     {
         s->part = x[0];
         s->end = x[1];
@@ -250,46 +232,29 @@ static void resume_test(struct dem_run_stages *s, const char *line)
     }
 }
 
-/* The stage that a line names, by its beginning; *rest: behind its name. -1: the scene has none. */
-static int stage_of(const struct dem_run_stages *s, const char *name, const char **rest)
-{
-    for (int k = 0; k < s->n; k++)
-    {
-        const size_t n = strlen(s->stage[k].name);
-
-        if (strncmp(name, s->stage[k].name, n) == 0 && name[n] == ' ')
-        {
-            *rest = name + n;
-            return k;
-        }
-    }
-    return -1;
-}
-
 static int resume(struct dem *d, const char *text)
 {
     struct dem_run_stages *const s = &d->scene.stages;
+    const char *words, *rest;
     int last = -1;
 
-    for (const char *at = text, *rest; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    for (const char *at = text; (words = dem_text_marked(&at, stage_mark));)
     {
-        double begin;
-
-        if (strncmp(at, stage_mark, sizeof stage_mark - 1) == 0)
+        for (int k = 0; k < s->n; k++)
         {
-            const int k = stage_of(s, at + sizeof stage_mark - 1, &rest);
+            double begin;
 
-            last = k > last ? k : last;
-            if (k >= 0 && read_numbers(rest, &begin, 1) == 1)
+            if ((rest = dem_text_after(words, s->stage[k].name)) && dem_text_numbers(rest, &begin, 1) == 1)
             {
+                last = k > last ? k : last;
                 dem_stages_begin(d, k, begin, "");
             }
         }
-        else if (strncmp(at, test_mark, sizeof test_mark - 1) == 0 && last >= 0)
-        {
-            s->present = last;
-            resume_test(s, at + sizeof test_mark - 1);
-        }
+    }
+    if (last >= 0 && (words = dem_text_marked(&text, test_mark)))
+    {
+        s->present = last;
+        resume_test(s, words);
     }
     for (int k = 0; k < last; k++)
     {

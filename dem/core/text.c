@@ -1,5 +1,5 @@
 /*
- * text.c -- printf to the end of a growing text; numbers in readable units.
+ * text.c -- printf to the end of a growing text; marked lines; numbers in readable units.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -7,6 +7,7 @@
 #include "core/memory.h"
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 void dem_text_add(struct dem_text *t, const char *format, ...)
@@ -29,6 +30,43 @@ void dem_text_add(struct dem_text *t, const char *format, ...)
         va_end(arguments);
         t->n += (size_t)more;
     }
+}
+
+const char *dem_text_marked(const char **at, const char *mark)
+{
+    const size_t head = strlen(mark);
+    const char *line = *at;
+
+    while (line && strncmp(line, mark, head) != 0)
+    {
+        line = strchr(line, '\n');
+        line = line ? line + 1 : NULL;
+    }
+    *at = line ? line + head : NULL;
+    return *at;
+}
+
+const char *dem_text_after(const char *words, const char *name)
+{
+    const size_t n = strlen(name);
+
+    return strncmp(words, name, n) == 0 && words[n] == ' ' ? words + n + 1 : NULL;
+}
+
+int dem_text_numbers(const char *words, double *number, int most)
+{
+    int n = 0;
+    char *rest;
+
+    for (; n < most; n++, words = rest)
+    {
+        number[n] = strtod(words, &rest);
+        if (rest == words)
+        {
+            break;
+        }
+    }
+    return n;
 }
 
 void dem_text_free(struct dem_text *t)

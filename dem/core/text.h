@@ -1,5 +1,5 @@
 /*
- * text.h -- a text that grows line by line; the first error is stored in its status.
+ * text.h -- a text that grows line by line; the first error is stored in its status. Marked lines.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -26,6 +26,18 @@ void dem_text_add(struct dem_text *, const char *format, ...);
    until the eighth further call in this thread. */
 const char *dem_text_bytes(double bytes);
 const char *dem_text_time(double seconds);
+
+/* ---- lines of a snapshot's text that begin with a mark: "@mark name words" ----
+
+   The words behind the mark in the next line that begins with it; *at, which may be NULL, moves on to
+   there. NULL: there is no more. */
+const char *dem_text_marked(const char **at, const char *mark);
+
+/* What follows the name and its blank; NULL when the words begin with another one. */
+const char *dem_text_after(const char *words, const char *name);
+
+/* Read up to `most` numbers; returns how many there are. */
+int dem_text_numbers(const char *words, double *number, int most);
 
 /* Free the text; the struct is empty then. */
 void dem_text_free(struct dem_text *);

@@ -267,6 +267,7 @@ struct dem_wall_position
     double rotation[3][3], shift[3];    /* 1, m  what was given at X is at rotation X + shift */
     int axes;                           /* moved by force: its free axes, 1 for a hinge; else 0 */
     double moved[3], velocity[3];       /* m, m/s along these axes; rad, rad/s for a hinge */
+    double spin[3];                     /* 1/s  of a free wall that rotates */
 };
 
 /* ---- particles ------------------------------------------------------------------------------- */

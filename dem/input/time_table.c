@@ -4,130 +4,47 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/time_table.h"
-#include "core/did_you_mean.h"
 #include "core/error.h"
-#include "core/file.h"
 #include "core/hash.h"
 #include "core/memory.h"
-#include <fenv.h>
+#include "input/text_table.h"
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-enum
-{
-    TIME = DEM_TIME_TABLE_COLUMNS,    /* what a column holds: a quantity, or the time */
-    NAMES
-};
-
 /* Times and values lie below it, so that slopes are finite. */
 static const double limit = 1e15;
 
-struct reader
+/* The time is the last of the names. */
+static int check_names(const struct dem_text_table *t)
 {
-    struct dem_time_table *table;
-    const char *file, *name[NAMES];
-    int names, line, columns, what[NAMES], present[NAMES];
-};
-
-static const char *skip(const char *at)
-{
-    at += strspn(at, " \t\r");
-    at += *at == ',' || *at == ';';
-    return at + strspn(at, " \t\r");
-}
-
-static int read_name(struct reader *r, const char *at, size_t length)
-{
-    char word[32];
-    int k = 0;
-
-    snprintf(word, sizeof word, "%.*s", (int)(length < sizeof word ? length : sizeof word - 1), at);
-    word[strcspn(word, "[")] = '\0';
-    while (k < r->names && strcmp(word, r->name[k]) != 0)
-    {
-        k++;
-    }
-    if (k == r->names)
-    {
-        return dem_error_prefix(dem_did_you_mean_error("column", word, r->name, r->names),
-                                "%s, line %d: ", r->file, r->line);
-    }
-    const int what = k == r->names - 1 ? TIME : k;
-
-    DEM_REQUIRE(!r->present[what], DEM_ERROR_INPUT,
-                "%s, line %d: column %s comes twice; remove one", r->file, r->line, word);
-    r->present[what] = 1;
-    r->what[r->columns++] = what;
-    return DEM_OK;
-}
-
-static int read_names(struct reader *r, const char *line)
-{
-    for (const char *at = skip(line); *at; at = skip(at))
-    {
-        const size_t length = strcspn(at, " \t\r,;");
-
-        DEM_TRY(read_name(r, at, length));
-        at += length;
-    }
-    DEM_REQUIRE(r->present[TIME] && r->columns > 1, DEM_ERROR_INPUT,
+    DEM_REQUIRE(t->present[t->names - 1] && t->columns > 1, DEM_ERROR_INPUT,
                 "%s, line %d: the first row names the columns: time, and at least one of the others",
-                r->file, r->line);
+                t->file, t->line);
     return DEM_OK;
 }
 
-static int read_row(struct reader *r, const char *line)
+static int take_row(struct dem_text_table *from, const double *number)
 {
-    struct dem_time_table *const t = r->table;
-    const char *at = skip(line);
-    int good = 1;
+    struct dem_time_table *const t = from->data;
+    double largest = 0.0;
 
+    for (int k = 0; k < from->names; k++)
+    {
+        largest = fmax(largest, fabs(number[k]));
+    }
+    DEM_REQUIRE(largest < limit, DEM_ERROR_INPUT, "%s, line %d: %g; give numbers below %g", from->file,
+                from->line, largest, limit);
     DEM_TRY(DEM_GROW(t->row, t->capacity, t->rows + 1));
     struct dem_time_row *const row = &t->row[t->rows++];
 
-    *row = (struct dem_time_row){.time = 0.0};
-    for (int c = 0; c < r->columns && good; c++, at = skip(at))
-    {
-        double *const to = r->what[c] == TIME ? &row->time : &row->value[r->what[c]];
-        char *end;
-
-        *to = strtod(at, &end);
-        good = end > at && isless(fabs(*to), limit) && (!*end || strchr(" \t\r,;", *end));
-        at = end;
-    }
-    DEM_REQUIRE(good && !*at, DEM_ERROR_INPUT,
-                "%s, line %d: \"%.40s\" is not a row of %d numbers below %g, one for each column",
-                r->file, r->line, line, r->columns, limit);
+    *row = (struct dem_time_row){.time = number[from->names - 1]};
+    memcpy(row->value, number, (size_t)(from->names - 1)*sizeof *number);
     DEM_REQUIRE(t->rows == 1 || row->time > row[-1].time, DEM_ERROR_INPUT,
                 "%s, line %d: time %g s is not after %g s of the row before; sort the rows, and give "
-                "each time once", r->file, r->line, row->time, row[-1].time);
-    return DEM_OK;
-}
-
-static int read_lines(struct reader *r, char *text)
-{
-    for (char *next; text; text = next)
-    {
-        next = strchr(text, '\n');
-        if (next)
-        {
-            *next++ = '\0';
-        }
-        r->line++;
-        const char first = text[strspn(text, " \t\r")];
-
-        if (first && first != '#')
-        {
-            DEM_TRY(r->columns == 0 ? read_names(r, text) : read_row(r, text));
-        }
-    }
-    DEM_REQUIRE(r->table->rows > 1, DEM_ERROR_INPUT,
-                "%s has %zu rows of numbers; give at least two", r->file, r->table->rows);
+                "each time once", from->file, from->line, row->time, row[-1].time);
     return DEM_OK;
 }
 
@@ -184,34 +101,28 @@ static void find_slopes(struct dem_time_table *t)
 int dem_time_table_read(struct dem_time_table **made, const char *file, const char *const *name,
                         int n, int smooth)
 {
-    struct reader r = {.file = file, .names = n + 1};
-    char *text;
-    fenv_t traps;
+    struct dem_time_table *t;
+    struct dem_text_table from = {.file = file, .names = n + 1, .check = check_names, .take = take_row};
 
     *made = NULL;
-    memcpy(r.name, name, (size_t)n*sizeof *name);
-    r.name[n] = "time";
-    DEM_TRY(dem_file_load_text(file, &text));
-    int status = DEM_NEW(r.table, 1);
+    memcpy(from.name, name, (size_t)n*sizeof *name);
+    from.name[n] = "time";
+    DEM_TRY(DEM_NEW(t, 1));
+    from.data = t;
+    t->smooth = smooth;
+    int status = dem_text_table_read(&from);
 
-    if (!status)
+    if (!status && t->rows < 2)
     {
-        feholdexcept(&traps);    /* a number that overflows ends in a message, not in a signal */
-        r.table->smooth = smooth;
-        status = read_lines(&r, text);
-        if (!status)
-        {
-            find_slopes(r.table);
-        }
-        fesetenv(&traps);
+        status = dem_error(DEM_ERROR_INPUT, "%s has %zu rows of numbers; give at least two", file, t->rows);
     }
-    dem_memory_free(text);
     if (status)
     {
-        dem_time_table_free(r.table);
+        dem_time_table_free(t);
         return status;
     }
-    *made = r.table;
+    find_slopes(t);
+    *made = t;
     return DEM_OK;
 }
 

@@ -6,8 +6,7 @@
  *     0.1, 0, 0, -2e-3, 0
  *
  * The first row names the columns, in any order; `time` [s] is one of them and rises. A column that
- * the file does not have is 0. Separators, comments and units after a name are as in the tables of
- * `insert` (sources/insert_table.c). Before the first row and after the last, quantities have the
+ * the file does not have is 0. The form of the file: input/text_table.h. Before the first row and after the last, quantities have the
  * values of that row.
  *
  *   linear   straight lines from row to row

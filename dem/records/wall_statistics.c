@@ -22,12 +22,9 @@ void dem_wall_statistics_free(struct dem_wall_statistics *b)
 
 int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
 {
-    if (!b->sum)
-    {
-        DEM_TRY(DEM_NEW(b->sum, walls + 1));
-        DEM_TRY(DEM_NEW(b->work, walls + 1));
-        b->walls = walls;
-    }
+    DEM_TRY(b->sum ? DEM_OK : DEM_NEW(b->sum, walls + 1));
+    DEM_TRY(b->work ? DEM_OK : DEM_NEW(b->work, walls + 1));
+    b->walls = walls;
     for (int k = 0; k < walls; k++)
     {
         dem_binned_sum_clear(&b->sum[k]);

@@ -1,5 +1,5 @@
 /*
- * wall_wear.c -- find the triangle of each sliding contact with a wall that wears, and sum; the sums in
+ * wall_wear.c -- find the triangle of each contact with a wall that wears, and sum; the sums in
  * snapshots.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -7,6 +7,7 @@
 #include "records/wall_wear.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/vec.h"
 #include "ranks/collect.h"
 #include "ranks/dem_state.h"
 #include "records/wall_statistics.h"
@@ -95,18 +96,49 @@ static int find_triangle(struct dem_state *state, int facet, const double x[3], 
     return DEM_OK;
 }
 
-int dem_wall_wear_add(struct dem_state *state, const struct dem_contact_batch *b, uint32_t row, int rows)
+/* 2 v_n v_t - 3 v_n^2, from an angle of tan = 1/3 on v_t^2/3 [m2/s2] */
+static double finnie(double vn, double vt)
 {
+    return 3.0*vn <= vt ? vn*(2.0*vt - 3.0*vn) : vt*vt/3.0;
+}
+
+/* m f of a contact that begins in this step, else 0 [J]: the velocity of the centre over the wall. */
+static double impact(const struct dem_contact_workspace *t, int c)
+{
+    const struct dem_contact_batch *const b = &t->batch;
+    const double v[3] = {t->gathered.vx[c], t->gathered.vy[c], t->gathered.vz[c]},
+                 n[3] = {b->hx[c], b->hy[c], b->hz[c]}, vn = -dem_vec_dot(v, n);
+    double along[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        along[k] = v[k] + vn*n[k];
+    }
+    return b->overlap[c] <= vn*b->dt ? b->reduced_mass[c]*finnie(vn, dem_vec_norm(along)) : 0.0;
+}
+
+/* F_n |v_t| dt [J] */
+static double sliding(const struct dem_contact_batch *b, int c)
+{
+    return b->fn[c]*b->dt*sqrt(b->sx[c]*b->sx[c] + b->sy[c]*b->sy[c] + b->sz[c]*b->sz[c]);
+}
+
+int dem_wall_wear_add(struct dem_state *state, const struct dem_contact_workspace *t, uint32_t row, int rows)
+{
+    const struct dem_contact_batch *const b = &t->batch;
+
     for (int c = 0; c < rows; c++)
     {
         const struct dem_pair *const q = dem_contacts_pair(&state->contacts, row + (uint32_t)c);
         const int facet = dem_pairs_facet(&state->pairs, q->j), wall = state->walls.facet[facet].wall;
-        const double speed = sqrt(b->sx[c]*b->sx[c] + b->sy[c]*b->sy[c] + b->sz[c]*b->sz[c]);
-        const double volume = state->walls.wall[wall].wear*b->fn[c]*speed*b->dt;
+        const struct dem_wall *const of = &state->walls.wall[wall];
+        const double volume = of->wear > 0.0 && b->touching[c] > 0.0
+                                ? of->wear*(of->wears_by_impact ? impact(t, c) : sliding(b, c))
+                                : 0.0;
         uint32_t triangle = 0;
         double own[3];
 
-        if (b->touching[c] > 0.0 && volume > 0.0 && isfinite(volume))
+        if (volume > 0.0 && isfinite(volume))
         {
             DEM_TRY(find_triangle(state, facet,
                                   dem_walls_to_frame(&state->walls, wall,
@@ -241,26 +273,18 @@ static int64_t take(const char **at, int64_t end, int *good)
     return *good ? number : 0;
 }
 
-static int is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
-}
-
 int dem_wall_wear_resume(struct dem_state *state, int wall, const char *text, const char *path)
 {
     const struct dem_wall *const of = &state->walls.wall[wall];
     struct dem_wear_sum *const sum = sums_of(state, wall);
-    const size_t head = sizeof mark - 1, length = strlen(of->name);
+    const char *words;
     int good = 1;
 
-    for (const char *at = text; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
+    while ((words = dem_text_marked(&text, mark)))
     {
-        if (!is_line(at) || strncmp(at + head, of->name, length) != 0
-            || at[head + length] != ' ')
-        {
-            continue;
-        }
-        for (at += head + length; *at == ' ' && good;)
+        const char *at = dem_text_after(words, of->name);
+
+        while (at && *at && *at != '\n' && good)
         {
             struct dem_wear_sum *const s = &sum[take(&at, (int64_t)of->triangles, &good)];
 

@@ -1,5 +1,5 @@
 /*
- * closed_surface.c -- volume of a closed surface of triangles, and the points inside it.
+ * closed_surface.c -- volume and inertia of a closed surface of triangles, and the points inside it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -224,6 +224,85 @@ void dem_closed_surface_free(struct dem_closed_surface *s)
     dem_memory_free(s->start);
     dem_memory_free(s->entry);
     memset(s, 0, sizeof *s);
+}
+
+int dem_closed_surface_of_wall(struct dem_closed_surface *s, const struct dem_walls *w, int wall)
+{
+    size_t n = 0;
+    double *corners;
+
+    DEM_TRY(DEM_NEW(corners, 9*w->triangles + 1));
+    for (size_t t = 0; t < w->triangles; t++)
+    {
+        if (w->triangle[t].wall == wall)
+        {
+            memcpy(corners + 9*n++, w->triangle[t].corner, 9*sizeof *corners);
+        }
+    }
+    s->what = "wall";
+    memcpy(s->name, w->wall[wall].name, sizeof s->name);
+    return dem_closed_surface_init(s, n, corners);
+}
+
+/* ---- inertia --------------------------------------------------------------------------------- */
+
+/* Add the tetrahedron of a triangle and the centre c of the box, from which x = corner - c. With the sum S of
+   the three corners x_k and V = x_1.(x_2 x x_3)/6 the integral of x is V S/4, of x x V/20 (S S + sum x_k x_k).
+   Returns V. */
+static double add_tetrahedron(const double t[3][3], const double c[3], double first[3],
+                              double second[3][3])
+{
+    double x[3][3], S[3], cross[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        dem_vec_minus(t[k], c, x[k]);
+    }
+    dem_vec_cross(x[1], x[2], cross);
+    const double volume = dem_vec_dot(x[0], cross)/6.0;
+
+    for (int a = 0; a < 3; a++)
+    {
+        S[a] = x[0][a] + x[1][a] + x[2][a];
+        first[a] += 0.25*volume*S[a];
+    }
+    for (int a = 0; a < 9; a++)
+    {
+        const int i = a/3, j = a%3;
+
+        second[i][j] += volume/20.0*(S[i]*S[j] + x[0][i]*x[0][j] + x[1][i]*x[1][j] + x[2][i]*x[2][j]);
+    }
+    return volume;
+}
+
+void dem_closed_surface_inertia(const struct dem_closed_surface *s, double centre[3], double inertia[3][3])
+{
+    double c[3], first[3] = {0.0, 0.0, 0.0}, second[3][3] = {{0.0}}, volume = 0.0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        c[k] = 0.5*(s->min[k] + s->max[k]);
+    }
+    for (size_t t = 0; t < s->n; t++)
+    {
+        volume += add_tetrahedron((const double (*)[3])s->corner[t], c, first, second);
+    }
+    const double side = volume < 0.0 ? -1.0 : 1.0;    /* corners clockwise from outside */
+
+    for (int a = 0; a < 3; a++)
+    {
+        centre[a] = c[a] + first[a]/volume;
+        for (int b = 0; b < 3; b++)
+        {
+            second[a][b] = side*(second[a][b] - first[a]*first[b]/volume);
+        }
+    }
+    const double trace = second[0][0] + second[1][1] + second[2][2];
+
+    for (int a = 0; a < 9; a++)
+    {
+        inertia[a/3][a%3] = (a%4 == 0 ? trace : 0.0) - second[a/3][a%3];
+    }
 }
 
 /* ---- inside ---------------------------------------------------------------------------------- */

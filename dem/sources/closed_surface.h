@@ -12,6 +12,7 @@
 #ifndef DEM_SOURCES_CLOSED_SURFACE_H
 #define DEM_SOURCES_CLOSED_SURFACE_H
 
+#include "walls/walls.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -33,7 +34,13 @@ struct dem_closed_surface
 /* Take n triangles, 9 numbers each [m], corners counterclockwise as seen from outside, or all
    clockwise. The array belongs to the surface from then on, also after a failure. */
 int dem_closed_surface_init(struct dem_closed_surface *, size_t n, double *corners);
+/* The same with the triangles of a wall. Walls that are not finished have them as the scene gives them. */
+int dem_closed_surface_of_wall(struct dem_closed_surface *, const struct dem_walls *, int wall);
 void dem_closed_surface_free(struct dem_closed_surface *);
+
+/* Centroid [m] and tensor of inertia about it, over the density [m5], of the volume inside. */
+void dem_closed_surface_inertia(const struct dem_closed_surface *, double centre[3],
+                                double inertia[3][3]);
 
 int dem_closed_surface_contains(const struct dem_closed_surface *, const double x[3]);
 

@@ -7,29 +7,21 @@
  *     0, 1.5e-3, 2e-3, 1e-3, 1e-3
  *
  * The first row names the columns, in any order: x, y, z, and optionally diameter, vx, vy, vz, wx,
- * wy, wz, id, and the names of particle scalars. Columns are separated by a comma, a semicolon or
- * blanks; empty rows and rows that begin with # are skipped. A unit may follow a name, as in x[m];
- * it is not read: units are SI.
+ * wy, wz, id, and the names of particle scalars; its form: input/text_table.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "sources/insert_group.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/did_you_mean.h"
-#include "core/file.h"
-#include <errno.h>
-#include <fenv.h>
+#include "input/text_table.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum
 {
     DIAMETER = 9, ID,     /* after three vectors: position, velocity, spin */
-    SCALAR,               /* from here on particle scalars */
-    COLUMNS = SCALAR + DEM_SCALARS
+    SCALAR                /* from here on particle scalars */
 };
 
 static const char *const fixed_name[SCALAR] = {"x", "y", "z", "vx", "vy", "vz",
@@ -37,54 +29,13 @@ static const char *const fixed_name[SCALAR] = {"x", "y", "z", "vx", "vy", "vz",
 
 struct table
 {
-    const char *file, *name[COLUMNS];
-    int line, columns, what[COLUMNS], present[COLUMNS];  /* the quantity in each column; 1 when
-                                                            there is a column of it */
-    int known;                                           /* number of names */
     size_t n, capacity[5 + DEM_SCALARS];
     double (*vector[3])[3], *diameter, *scalar[DEM_SCALARS];
     int64_t *id;
 };
 
-static const char *skip(const char *at)
+static int check_names(const struct dem_text_table *t)
 {
-    at += strspn(at, " \t\r");
-    at += *at == ',' || *at == ';';
-    return at + strspn(at, " \t\r");
-}
-
-static int read_name(struct table *t, const char *at, size_t length)
-{
-    char word[32];
-    int k = 0;
-
-    snprintf(word, sizeof word, "%.*s", (int)(length < sizeof word ? length : sizeof word - 1), at);
-    word[strcspn(word, "[")] = '\0';
-    while (k < t->known && strcmp(word, t->name[k]) != 0)
-    {
-        k++;
-    }
-    if (k == t->known)
-    {
-        return dem_error_prefix(dem_did_you_mean_error("column", word, t->name, t->known),
-                                "%s, line %d: ", t->file, t->line);
-    }
-    DEM_REQUIRE(!t->present[k], DEM_ERROR_INPUT, "%s, line %d: column %s comes twice; remove one",
-                t->file, t->line, word);
-    t->present[k] = 1;
-    t->what[t->columns++] = k;
-    return DEM_OK;
-}
-
-static int read_names(struct table *t, const char *line)
-{
-    for (const char *at = skip(line); *at; at = skip(at))
-    {
-        const size_t length = strcspn(at, " \t\r,;");
-
-        DEM_TRY(read_name(t, at, length));
-        at += length;
-    }
     for (int k = 0; k < 3; k++)
     {
         const int *const v = &t->present[3*k], found = v[0] + v[1] + v[2];
@@ -96,77 +47,53 @@ static int read_names(struct table *t, const char *line)
     return DEM_OK;
 }
 
-static int grow(struct table *t)
+static int grow(struct table *t, const int *present, int names)
 {
     for (int k = 0; k < 3; k++)
     {
-        DEM_TRY(t->present[3*k] ? DEM_GROW(t->vector[k], t->capacity[k], t->n + 1) : DEM_OK);
+        DEM_TRY(present[3*k] ? DEM_GROW(t->vector[k], t->capacity[k], t->n + 1) : DEM_OK);
     }
-    DEM_TRY(t->present[DIAMETER] ? DEM_GROW(t->diameter, t->capacity[3], t->n + 1) : DEM_OK);
-    for (int k = SCALAR; k < t->known; k++)
+    DEM_TRY(present[DIAMETER] ? DEM_GROW(t->diameter, t->capacity[3], t->n + 1) : DEM_OK);
+    for (int k = SCALAR; k < names; k++)
     {
-        DEM_TRY(t->present[k]
+        DEM_TRY(present[k]
                     ? DEM_GROW(t->scalar[k - SCALAR], t->capacity[5 + k - SCALAR], t->n + 1)
                     : DEM_OK);
     }
-    return t->present[ID] ? DEM_GROW(t->id, t->capacity[4], t->n + 1) : DEM_OK;
+    return present[ID] ? DEM_GROW(t->id, t->capacity[4], t->n + 1) : DEM_OK;
 }
 
-static int read_row(struct table *t, const char *line)
+static int take_row(struct dem_text_table *from, const double *number)
 {
-    const char *at = skip(line);
-    int good = 1;
+    struct table *const t = from->data;
+    const int *const present = from->present;
 
-    DEM_TRY(grow(t));
-    for (int c = 0; c < t->columns && good; c++, at = skip(at))
+    DEM_REQUIRE(number[ID] == rint(number[ID]) && fabs(number[ID]) <= 0x1p53, DEM_ERROR_INPUT,
+                "%s, line %d: id %.17g; give whole numbers up to 2^53", from->file, from->line, number[ID]);
+    DEM_TRY(grow(t, present, from->names));
+    for (int k = 0; k < 3; k++)
     {
-        const int k = t->what[c];
-        char *end;
-
-        errno = 0;
-        if (k == ID)
+        if (present[3*k])
         {
-            t->id[t->n] = strtoll(at, &end, 10);
-            good = end > at && errno == 0;
+            memcpy(t->vector[k][t->n], number + 3*k, sizeof *t->vector[k]);
         }
-        else
-        {
-            double *const to = k == DIAMETER  ? &t->diameter[t->n]
-                             : k >= SCALAR    ? &t->scalar[k - SCALAR][t->n]
-                                              : &t->vector[k/3][t->n][k%3];
-
-            *to = strtod(at, &end);
-            good = end > at && isfinite(*to);
-        }
-        at = end;
-        good = good && (!*at || strchr(" \t\r,;", *at));
     }
-    DEM_REQUIRE(good && !*at, DEM_ERROR_INPUT, "%s, line %d: \"%.40s\" is not a row of %d numbers, "
-                "one for each column", t->file, t->line, line,
-                t->columns);
+    if (present[DIAMETER])
+    {
+        t->diameter[t->n] = number[DIAMETER];
+    }
+    if (present[ID])
+    {
+        t->id[t->n] = (int64_t)number[ID];
+    }
+    for (int k = SCALAR; k < from->names; k++)
+    {
+        if (present[k])
+        {
+            t->scalar[k - SCALAR][t->n] = number[k];
+        }
+    }
     t->n++;
-    return DEM_OK;
-}
-
-static int read_lines(struct table *t, char *text)
-{
-    for (char *next; text; text = next)
-    {
-        next = strchr(text, '\n');
-        if (next)
-        {
-            *next++ = '\0';
-        }
-        t->line++;
-        const char first = text[strspn(text, " \t\r")];
-
-        if (first && first != '#')
-        {
-            DEM_TRY(t->columns == 0 ? read_names(t, text) : read_row(t, text));
-        }
-    }
-    DEM_REQUIRE(t->n > 0, DEM_ERROR_INPUT, "%s has no row of numbers; the first row names the "
-                "columns, then follows one for each particle", t->file);
     return DEM_OK;
 }
 
@@ -185,23 +112,18 @@ static int check_scalars(const struct dem_insert_group *b, const struct dem_inte
 
 int dem_insert_group_read_table(struct dem_insert_group *b, const struct dem_interaction_table *r)
 {
-    struct table t = {.known = SCALAR + r->scalars};
-    char *text;
-    fenv_t traps;
+    struct table t = {.n = 0};
+    struct dem_text_table from = {.names = SCALAR + r->scalars, .check = check_names, .take = take_row,
+                                  .data = &t};
 
-    memcpy(t.name, fixed_name, sizeof fixed_name);
+    memcpy(from.name, fixed_name, sizeof fixed_name);
     for (int k = 0; k < r->scalars; k++)
     {
-        t.name[SCALAR + k] = r->scalar[k]->name;
+        from.name[SCALAR + k] = r->scalar[k]->name;
     }
+    DEM_TRY(dem_dict_text(b->dict, "file", &from.file));
+    const int status = dem_error_prefix(dem_text_table_read(&from), "%s: ", b->where);
 
-    DEM_TRY(dem_dict_text(b->dict, "file", &t.file));
-    DEM_TRY(dem_error_prefix(dem_file_load_text(t.file, &text), "%s: ", b->where));
-    feholdexcept(&traps);    /* a number that overflows ends in a message, not in a signal */
-    const int status = dem_error_prefix(read_lines(&t, text), "%s: ", b->where);
-
-    fesetenv(&traps);
-    dem_memory_free(text);
     memcpy(b->table, (void *[]){t.vector[0], t.vector[1], t.vector[2], t.diameter, t.id},
            5*sizeof *b->table);
     for (int k = 0; k < r->scalars; k++)
@@ -219,7 +141,12 @@ int dem_insert_group_read_table(struct dem_insert_group *b, const struct dem_int
     {
         DEM_REQUIRE(t.diameter[m] > 0.0, DEM_ERROR_INPUT,
                     "%s: %s: number %lld of its diameters is %g m; give numbers above 0", b->where,
-                    t.file, (long long)m + 1, t.diameter[m]);
+                    from.file, (long long)m + 1, t.diameter[m]);
+    }
+    if (!status)
+    {
+        DEM_REQUIRE(t.n > 0, DEM_ERROR_INPUT, "%s: %s has no row of numbers; the first row names the columns, "
+                    "then follows one for each particle", b->where, from.file);
     }
     return status ? status : check_scalars(b, r);
 }

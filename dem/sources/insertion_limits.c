@@ -47,25 +47,6 @@ static int find_wall(const struct dem_walls *w, const char *name)
     return wall < w->walls ? wall : -1;
 }
 
-/* The walls are not finished yet: their triangles are as the scene gives them. */
-static int read_wall(struct dem_closed_surface *s, const struct dem_walls *w, int wall)
-{
-    size_t n = 0;
-    double *corners;
-
-    DEM_TRY(DEM_NEW(corners, 9*w->triangles + 1));
-    for (size_t t = 0; t < w->triangles; t++)
-    {
-        if (w->triangle[t].wall == wall)
-        {
-            memcpy(corners + 9*n++, w->triangle[t].corner, 9*sizeof *corners);
-        }
-    }
-    s->what = "wall";
-    memcpy(s->name, w->wall[wall].name, sizeof s->name);
-    return dem_closed_surface_init(s, n, corners);
-}
-
 static int read_inside(struct dem_insertion_limits *l, const struct dem_dict *group,
                        const struct dem_insertion_regions *g, const struct dem_walls *w)
 {
@@ -81,7 +62,7 @@ static int read_inside(struct dem_insertion_limits *l, const struct dem_dict *gr
     if (strcmp(word, "walls") != 0 && wall >= 0)
     {
         l->surface = &l->own;
-        return dem_error_prefix(read_wall(&l->own, w, wall), "%s: ", dem_dict_where(group));
+        return dem_error_prefix(dem_closed_surface_of_wall(&l->own, w, wall), "%s: ", dem_dict_where(group));
     }
     DEM_REQUIRE(strcmp(word, "walls") == 0, DEM_ERROR_INPUT,
                 "%s: inside %s; give walls, mesh (in OpenFOAM), or the name of a wall of triangles "

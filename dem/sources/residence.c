@@ -10,7 +10,6 @@
 #include "ranks/dem_state.h"
 #include "sources/flows.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char mark[] = "@residence ";
@@ -28,32 +27,21 @@ const struct dem_residence *dem_residence_of(const struct dem_flows *f, int flow
     return f->residence && end_of(f, flow) > 0.0 ? &f->residence[flow] : NULL;
 }
 
-/* NAME n sum squares b0 b1 ... */
-static void resume(struct dem_flows *f, const char *line)
+/* n sum squares b0 b1 ...; below 2^53 all are exact as doubles */
+static void resume(struct dem_residence *r, const char *words)
 {
-    for (int k = 0; k < f->n; k++)
+    double x[3 + DEM_RESIDENCE_BINS];
+
+    if (dem_text_numbers(words, x, 3 + DEM_RESIDENCE_BINS) == 3 + DEM_RESIDENCE_BINS)
     {
-        const size_t n = strlen(f->flow[k].name);
-
-        if (end_of(f, k) > 0.0 && strncmp(line, f->flow[k].name, n) == 0 && line[n] == ' ')
+        r->particles = (int64_t)x[0];
+        r->sum = x[1];
+        r->squares = x[2];
+        for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
         {
-            struct dem_residence *const r = &f->residence[k];
-            char *rest = (char *)(uintptr_t)(line + n);
-
-            r->particles = strtoll(rest, &rest, 10);
-            r->sum = strtod(rest, &rest);
-            r->squares = strtod(rest, &rest);
-            for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
-            {
-                r->bin[b] = strtoll(rest, &rest, 10);
-            }
+            r->bin[b] = (int64_t)x[3 + b];
         }
     }
-}
-
-static int is_line(const char *line)
-{
-    return strncmp(line, mark, sizeof mark - 1) == 0;
 }
 
 int dem_residence_begin(struct dem_state *p, const char *text)
@@ -67,13 +55,15 @@ int dem_residence_begin(struct dem_state *p, const char *text)
     DEM_TRY(DEM_NEW(f->residence, 2*DEM_SNAPSHOT_FLOWS));
     for (int k = 0; k < f->n; k++)
     {
+        const char *words, *rest;
+
         f->residence[k].end = end_of(f, k);
-    }
-    for (const char *at = text; at && *at; at = strchr(at, '\n'), at = at ? at + 1 : NULL)
-    {
-        if (is_line(at))
+        for (const char *at = text; end_of(f, k) > 0.0 && (words = dem_text_marked(&at, mark));)
         {
-            resume(f, at + sizeof mark - 1);
+            if ((rest = dem_text_after(words, f->flow[k].name)))
+            {
+                resume(&f->residence[k], rest);
+            }
         }
     }
     return DEM_OK;

@@ -131,7 +131,7 @@ static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
     }
     if (effects->pair.with_wall && state->walls.wearing > 0)
     {
-        DEM_TRY(dem_wall_wear_add(state, &t->batch, row, rows));
+        DEM_TRY(dem_wall_wear_add(state, t, row, rows));
     }
     if (effects->past_touching && count_broken(&t->batch) > 0.0)
     {

@@ -7,10 +7,12 @@
 #include "step/wall_bodies.h"
 #include "core/error.h"
 #include "core/vec.h"
+#include "particles/clump.h"
 #include "ranks/collect.h"
 #include "records/energy_balance.h"
 #include "records/totals.h"
 #include "records/wall_statistics.h"
+#include "walls/wall_turn.h"
 #include <math.h>
 #include <string.h>
 
@@ -128,17 +130,18 @@ void dem_wall_bodies_begin_sweep(struct dem_walls *w)
     }
 }
 
-/* Squared lever arm of a contact about the axis of a hinge [m2]; 1 for a force. */
+/* Squared lever arm of a contact about the axis or the centre of a rotation [m2]. */
 static double squared_arm(const struct dem_wall_body *b, const double point[3])
 {
-    double away[3], across[3];
+    double centre[3], away[3], across[3];
 
-    if (b->kind != DEM_WALL_BODY_HINGE)
+    dem_wall_body_centre(b, centre);
+    dem_vec_minus(point, centre, away);
+    if (b->turn.axes == 3)
     {
-        return 1.0;
+        return dem_vec_dot(away, away);
     }
-    dem_vec_minus(point, b->origin, away);
-    dem_vec_cross(b->axis[0], away, across);
+    dem_vec_cross(b->turn.axes == 1 ? b->turn.axis : b->axis[0], away, across);
     return dem_vec_dot(across, across);
 }
 
@@ -156,12 +159,14 @@ void dem_wall_bodies_add_batch(struct dem_state *state, const struct dem_contact
             const struct dem_particle *const i = &state->particles.record[q->i];
             /* of a force ~ overlap^p: the tangent is p times the secant */
             const double k = effects->pair.exponent*b->kn[c],
-                         arm = squared_arm(body, state->touches.touch[q->j].point),
+                         square = squared_arm(body, state->touches.touch[q->j].point),
+                         arm = body->kind == DEM_WALL_BODY_HINGE ? square : 1.0,
                          mass = i->inverse_mass > 0.0 ? 1.0/i->inverse_mass : i->mass;
 
             dem_binned_sum_add(&body->sum[1],
-                               (const double[DEM_BINNED_SUMS]){arm*k, arm*sqrt(k*mass),
-                                                               arm*b->eta[c], 1.0, 2.0*i->radius});
+                               (const double[DEM_BINNED_SUMS]){
+                                   arm*k, body->turn.axes > 0 ? square*k : arm*sqrt(k*mass),
+                                   arm*b->eta[c], 1.0, 2.0*i->radius});
         }
     }
 }
@@ -185,17 +190,14 @@ static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TE
                       int absent)
 {
     struct dem_wall_body_state *const s = &b->state;
+    double centre[3], moment[3];
 
+    dem_wall_body_centre(b, centre);
+    dem_vec_cross(centre, sum, moment);
+    dem_vec_minus(sum + 3, moment, s->torque);
     for (int k = 0; k < b->axes; k++)
     {
-        double about[3] = {sum[3], sum[4], sum[5]}, torque[3];
-
-        dem_vec_cross(b->origin, sum, torque);
-        for (int a = 0; a < 3; a++)
-        {
-            about[a] -= torque[a];
-        }
-        s->force[k] = dem_vec_dot(b->axis[k], b->kind == DEM_WALL_BODY_HINGE ? about : sum);
+        s->force[k] = dem_vec_dot(b->axis[k], b->kind == DEM_WALL_BODY_HINGE ? s->torque : sum);
     }
     s->stiffness = sum[DEM_WALL_BODY_STIFFNESS];
     s->impedance = sum[DEM_WALL_BODY_IMPEDANCE];
@@ -218,6 +220,26 @@ static const double max_swing = 0.04;
 /* Way of a servo that meets nothing, in diameters of the largest particle. */
 static const double max_free_path = 200.0;
 
+static int check_turn(const struct dem_state *state, const struct dem_wall *of,
+                      const struct dem_wall_body *b)
+{
+    const double dt = state->dt, K = b->state.impedance,    /* DEM_WALL_BODY_TURNING */
+                 least = K*dt*dt/max_swing,
+                 I = dem_wall_turn_least_inertia(&b->turn);
+    double w[3];
+
+    dem_wall_turn_spin(b, w);
+    const double spin = dem_vec_norm(w);
+
+    DEM_REQUIRE(I >= least, DEM_ERROR_NUMBER,
+                "wall %s: %.3g kg m2 on contacts of %.3g N m swings too fast for the step %.3g s; use at least "
+                "%.3g kg m2, or a smaller time/step", of->name, I, K, dt, least);
+    DEM_REQUIRE(spin*dt <= DEM_CLUMP_MAX_TURN, DEM_ERROR_NUMBER,
+                "wall %s turns by %.3g rad in a step of %.3g s, at %.3g 1/s; the limit is %g rad; use a time/step of "
+                "at most %.3g s", of->name, spin*dt, dt, spin, DEM_CLUMP_MAX_TURN, DEM_CLUMP_MAX_TURN/spin);
+    return DEM_OK;
+}
+
 static int check_mass(const struct dem_state *state, const struct dem_wall *of,
                       const struct dem_wall_body *b)
 {
@@ -228,7 +250,7 @@ static int check_mass(const struct dem_state *state, const struct dem_wall *of,
                 "wall %s: %.3g %s on contacts of %.3g %s swings too fast for the step %.3g s; use at "
                 "least %.3g %s", of->name, b->mass, hinge ? "kg m2" : "kg", K, hinge ? "N m" : "N/m",
                 dt, least, hinge ? "kg m2, or a smaller time/step" : "kg, or type servo");
-    return DEM_OK;
+    return b->turn.axes > 0 ? check_turn(state, of, b) : DEM_OK;
 }
 
 static int check_servo(const struct dem_state *state, const struct dem_wall *of,

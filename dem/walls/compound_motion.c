@@ -44,8 +44,8 @@ static void part_pose(const struct dem_motion_part *p, double time, struct dem_p
     }
 }
 
-/* q: displacement of the body. */
-static void pose_with(const struct dem_compound_motion *c, double time, const double *q,
+/* before: with the displacement of the body a step ago. */
+static void pose_with(const struct dem_compound_motion *c, double time, int before,
                       struct dem_pose *pose)
 {
     struct dem_pose next, inner = dem_pose_identity;
@@ -59,7 +59,7 @@ static void pose_with(const struct dem_compound_motion *c, double time, const do
         }
         else
         {
-            dem_wall_body_pose(c->body, q, &next);
+            dem_wall_body_pose(c->body, before, &next);
         }
         dem_pose_product(&next, &inner, pose);
         inner = *pose;
@@ -68,7 +68,7 @@ static void pose_with(const struct dem_compound_motion *c, double time, const do
 
 void dem_compound_motion_pose(const struct dem_compound_motion *c, double time, struct dem_pose *p)
 {
-    pose_with(c, time, c->body ? c->body->state.q : NULL, p);
+    pose_with(c, time, 0, p);
 }
 
 /* x - x(t - dt) = (I - R^T) (x - s) + s - s(t - dt),  I - R^T = sin K - (1 - cos) K K */
@@ -78,8 +78,8 @@ void dem_compound_motion_displacement(const struct dem_compound_motion *c, doubl
     struct dem_pose now, before, turn, back;
 
     *d = (struct dem_wall_displacement){.sine = 0.0};
-    pose_with(c, time, c->body ? c->body->state.q : NULL, &now);
-    pose_with(c, time - dt, c->body ? c->body->state.before : NULL, &before);
+    pose_with(c, time, 0, &now);
+    pose_with(c, time - dt, 1, &before);
     dem_pose_inverse(&before, &back);
     dem_pose_product(&now, &back, &turn);
     for (int k = 0; k < 3; k++)
@@ -213,6 +213,17 @@ static const double *part_axis(const struct dem_motion_part *p)
     return p->motion.kind == DEM_MOTION_ROTATION || rate[3] > 0.0 ? p->motion.axis : NULL;
 }
 
+/* Of a body that rotates about all axes one that is not this coordinate axis. */
+static const double *body_axis(const struct dem_wall_body *b, int axis)
+{
+    static const double unit[2][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+
+    return b->turn.axes == 3   ? unit[axis == 0]
+           : b->turn.axes == 1 ? b->turn.axis
+           : b->kind == DEM_WALL_BODY_HINGE ? b->axis[0]
+                                            : NULL;
+}
+
 const double *dem_compound_motion_leans(const struct dem_compound_motion *c, int axis, int *rotates)
 {
     const double *leaning = NULL;
@@ -220,9 +231,7 @@ const double *dem_compound_motion_leans(const struct dem_compound_motion *c, int
     *rotates = 0;
     for (int k = 0; k < c->parts + (c->body != NULL); k++)
     {
-        const double *const about = k < c->parts ? part_axis(&c->part[k])
-                                    : c->body->kind == DEM_WALL_BODY_HINGE ? c->body->axis[0]
-                                                                           : NULL;
+        const double *const about = k < c->parts ? part_axis(&c->part[k]) : body_axis(c->body, axis);
 
         *rotates |= about != NULL;
         leaning = about && (about[(axis + 1)%3] != 0.0 || about[(axis + 2)%3] != 0.0) ? about
@@ -264,13 +273,15 @@ static void hash_formula(struct dem_hash *hash, const struct dem_motion *m)
 
 static uint64_t hash_body(const struct dem_wall_body *b)
 {
-    const double kind[2] = {b->kind, b->axes};
+    const double kind[3] = {b->kind, b->axes, b->turn.axes};
     struct dem_hash hash;
 
     dem_hash_start(&hash, 'b');
     dem_hash_bytes(&hash, kind, sizeof kind);
     dem_hash_bytes(&hash, b->axis, (size_t)b->axes*sizeof *b->axis);
     dem_hash_bytes(&hash, b->origin, sizeof b->origin);
+    dem_hash_bytes(&hash, b->turn.axis, sizeof b->turn.axis);
+    dem_hash_bytes(&hash, b->turn.centre, sizeof b->turn.centre);
     return dem_hash_value(&hash);
 }
 

@@ -7,6 +7,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "walls/wall_motion.h"
+#include "walls/wall_turn.h"
 #include <math.h>
 #include <string.h>
 
@@ -15,23 +16,44 @@ void dem_wall_body_free(struct dem_wall_body *b)
     if (b)
     {
         dem_time_table_free(b->table);
+        dem_time_table_free(b->turn.table);
         dem_memory_free(b);
     }
 }
 
-void dem_wall_body_pose(const struct dem_wall_body *b, const double q[3], struct dem_pose *p)
+void dem_wall_body_pose(const struct dem_wall_body *b, int before, struct dem_pose *p)
 {
+    const double *const q = before ? b->state.before : b->state.q;
+
     if (b->kind == DEM_WALL_BODY_HINGE)
     {
         dem_pose_rotate(b->origin, b->axis[0], q[0], p);
         return;
     }
     *p = dem_pose_identity;
+    if (b->turn.axes > 0)
+    {
+        dem_wall_turn_pose(b, before, p);
+    }
     for (int k = 0; k < b->axes; k++)
     {
         for (int a = 0; a < 3; a++)
         {
             p->shift[a] += q[k]*b->axis[k][a];
+        }
+    }
+}
+
+void dem_wall_body_centre(const struct dem_wall_body *b, double centre[3])
+{
+    const int turns = b->turn.axes > 0;
+
+    memcpy(centre, turns ? b->turn.origin : b->origin, sizeof b->origin);
+    for (int k = 0; k < b->axes && turns; k++)
+    {
+        for (int a = 0; a < 3; a++)
+        {
+            centre[a] += b->state.q[k]*b->axis[k][a];
         }
     }
 }
@@ -143,6 +165,7 @@ void dem_wall_body_kick(struct dem_wall_body *b, const struct dem_wall_body_kick
     {
         w->lost += dem_wall_body_kinetic(b);
         memset(b->state.v, 0, sizeof b->state.v);
+        memset(b->state.momentum, 0, sizeof b->state.momentum);
         return;
     }
     given_force(b, in, force);
@@ -155,12 +178,22 @@ void dem_wall_body_kick(struct dem_wall_body *b, const struct dem_wall_body_kick
     {
         kick_axis(b, k, force[k], in->h, w);
     }
+    if (b->turn.axes > 0)
+    {
+        dem_wall_turn_kick(b, in, w);
+    }
+}
+
+/* Without its rotation. */
+static double kinetic(const struct dem_wall_body *b)
+{
+    return b->kind == DEM_WALL_BODY_SERVO ? 0.0 : 0.5*b->mass*dem_vec_dot(b->state.v, b->state.v);
 }
 
 void dem_wall_body_drift(struct dem_wall_body *b, double dt, struct dem_wall_body_work *w)
 {
     struct dem_wall_body_state *const s = &b->state;
-    const double before = dem_wall_body_kinetic(b);
+    const double before = kinetic(b);
 
     memcpy(s->before, s->q, sizeof s->q);
     for (int k = 0; k < b->axes; k++)
@@ -173,11 +206,14 @@ void dem_wall_body_drift(struct dem_wall_body *b, double dt, struct dem_wall_bod
         s->q[k] = reached;
         s->free_path = s->contacts == 0.0 ? s->free_path + fabs(dt*s->v[k]) : 0.0;
     }
-    w->lost += before - dem_wall_body_kinetic(b);
+    w->lost += before - kinetic(b);
+    if (b->turn.axes > 0)
+    {
+        dem_wall_turn_drift(b, dt);
+    }
 }
 
 double dem_wall_body_kinetic(const struct dem_wall_body *b)
 {
-    return b->kind == DEM_WALL_BODY_SERVO ? 0.0
-                                          : 0.5*b->mass*dem_vec_dot(b->state.v, b->state.v);
+    return kinetic(b) + (b->turn.axes > 0 ? dem_wall_turn_kinetic(b) : 0.0);
 }

@@ -29,6 +29,8 @@
  *
  * Limits: free walls and hinges K dt^2 < 0.04 m in each sweep.
  *
+ * A free wall may also rotate about its centre of mass: wall_turn.h.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_WALLS_WALL_BODY_H
@@ -55,10 +57,11 @@ enum
 enum dem_wall_body_term
 {
     DEM_WALL_BODY_STIFFNESS = DEM_BINNED_SUMS,  /* N/m     K; hinge: N m */
-    DEM_WALL_BODY_IMPEDANCE,                    /* kg/s    Z; N m s */
+    DEM_WALL_BODY_IMPEDANCE,                    /* kg/s    Z; hinge: N m s */
     DEM_WALL_BODY_DASHPOT,                      /* kg/s    eta; N m s */
     DEM_WALL_BODY_CONTACTS,                     /* 1 */
-    DEM_WALL_BODY_DIAMETERS                     /* m */
+    DEM_WALL_BODY_DIAMETERS,                    /* m */
+    DEM_WALL_BODY_TURNING = DEM_WALL_BODY_IMPEDANCE    /* N m  K of the rotation of a free wall */
 };
 
 /* doubles only: a snapshot stores them as they are */
@@ -71,11 +74,27 @@ struct dem_wall_body_state
     double hold, height, near_time;       /* N, m, s  H; L, 0 before the target is near; for how long */
     double free_path, free_since;         /* m, s  path since the last contact, and when it began */
     double summed;                        /* 1: the sums are known; 0 before the first sweep */
+    double turn[4], turn_before[4];       /* rotation of a free wall, a unit quaternion; a step ago */
+    double momentum[3], torque[3];        /* kg m2/s, N m  about its centre; torque of the particles */
 };
 
 enum
 {
     DEM_WALL_BODY_WORDS = sizeof(struct dem_wall_body_state)/sizeof(double)
+};
+
+struct dem_wall_turn                      /* rotation of a free wall, see wall_turn.h */
+{
+    int axes;                             /* 0: none, 1: about `axis`, 3: about all */
+    double axis[3];                       /* unit */
+    double centre[3], tensor[3][3];       /* m, kg m2  of mass, where the wall is given; about it */
+    double density;                       /* kg/m3  of the solid whose surface the wall is; 0: mass,
+                                             centre and tensor are given */
+    double spin[3];                       /* 1/s  at the start */
+    double torque[3], damping;            /* N m, N m s/rad */
+    struct dem_time_table *table;         /* of the torque instead, or NULL */
+    double origin[3];                     /* m  the centre without displacement, */
+    double inertia[3], principal[4];      /* kg m2  moments; rotation from principal axes to space */
 };
 
 struct dem_wall_body
@@ -92,14 +111,18 @@ struct dem_wall_body
     struct dem_time_table *table;         /* of it instead, or NULL */
     double area;                          /* m2  target = pressure times area; 1 for a force */
     double max_speed, stops[2];           /* m/s; rad */
+    struct dem_wall_turn turn;
     struct dem_wall_body_state state, backup;
     struct dem_binned_sum sum[DEM_WALL_BODY_SUMS];    /* of this rank and sweep */
 };
 
 void dem_wall_body_free(struct dem_wall_body *);    /* NULL is allowed */
 
-/* The pose of its frame with the displacements q. */
-void dem_wall_body_pose(const struct dem_wall_body *, const double q[3], struct dem_pose *);
+/* The pose of its frame now; `before`: a step ago. */
+void dem_wall_body_pose(const struct dem_wall_body *, int before, struct dem_pose *);
+
+/* The point about which it rotates [m]: on the axis of a hinge, the centre of mass of a free wall. */
+void dem_wall_body_centre(const struct dem_wall_body *, double centre[3]);
 
 /* 1 when the force of the particles on a servo is near its target [N]. */
 int dem_wall_body_is_near(const struct dem_wall_body *, double target);

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "walls/wall_turn.h"
 #include "walls/walls.h"
 #include <string.h>
 
@@ -35,9 +36,15 @@ static int check_shape(const struct dem_wall *w, const struct dem_motion *m)
     return m->kind == DEM_MOTION_ROTATION ? check_rotation(w, m->axis) : DEM_OK;
 }
 
-static int check_body(const struct dem_wall *w, const struct dem_wall_body *b)
+static int check_body(const struct dem_wall *w, const struct dem_compound_motion *c)
 {
+    const struct dem_wall_body *const b = c->body;
     double across[3];
+
+    DEM_REQUIRE(b->turn.axes == 0 || w->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
+                "wall %s is a plane, which has no centre about which it could rotate; give triangles", w->name);
+    DEM_REQUIRE(b->turn.axes == 0 || c->parts == 0, DEM_ERROR_INPUT,
+                "wall %s rotates freely, so it has no motion before that; take the others out", w->name);
 
     if (b->kind == DEM_WALL_BODY_HINGE)
     {
@@ -65,7 +72,7 @@ static int check_compound(const struct dem_wall *w, const struct dem_compound_mo
             DEM_TRY(rate[3] > 0.0 ? check_rotation(w, p->motion.axis) : DEM_OK);
         }
     }
-    return c->body ? check_body(w, c->body) : DEM_OK;
+    return c->body ? check_body(w, c) : DEM_OK;
 }
 
 static int same_motion(const struct dem_motion *a, const struct dem_motion *b)
@@ -150,6 +157,10 @@ static int rebase(struct dem_walls *w, int wall, const struct dem_motion *now,
     if (frame < 0 || !w->frame[frame].compound)
     {
         return same_pose(base, &dem_pose_identity) ? DEM_OK : use_frame(w, wall, now, base);
+    }
+    if (w->frame[frame].compound->body)
+    {
+        dem_wall_turn_prepare(&w->frame[frame].compound->body->turn, base);
     }
     w->frame[frame].base = *base;
     w->frame[frame].resumed = !same_pose(base, &dem_pose_identity);

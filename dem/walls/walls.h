@@ -70,6 +70,8 @@ struct dem_wall
     struct dem_wall_drive drive;
     /* 1/Pa: coefficient of wear over hardness; 0: wear is not summed */
     double wear;
+    /* 1: of impacts (Finnie), 0: of sliding (Archard) */
+    int wears_by_impact;
     /* name of the entry of the scene that makes it absorb particles, or NULL */
     const char *absorbs;
     /* s: it is there from the first to the second time; the stages that begin then, from 1, or 0 */

@@ -3,7 +3,8 @@
 # minutes each). What is not installed is skipped. Results: docs/install.md.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-scenes="bed periodic liquid rolling wet bonded clay all streams heat bridges hot parcels"
+scenes="bed periodic liquid rolling wet bonded clay all streams heat bridges hot parcels stages cell press
+    clumps"
 
 # has_golden RUNNER PROGRAM: each scene, with the command RUNNER before the program, ends with the fingerprint of
 # tests/parallel/golden.txt
@@ -42,8 +43,18 @@ for compiler in gcc-12 clang-14 clang-15 clang-16
 do
     OMPI_CC=$compiler platform $compiler $compiler ",mpirun -np 3"
 done
-# waiting ranks of MPICH keep their core: few scenes
-scenes="bed bonded" platform MPICH mpicc.mpich ",mpirun.mpich -np 2" CC=mpicc.mpich
+# waiting ranks of MPICH keep their core (tests/mpi/yield.c)
+! command -v mpicc.mpich > /dev/null || gcc -shared -fPIC ../mpi/yield.c -o "$work/yield.so"
+with_mpich="env LD_PRELOAD=$work/yield.so"
+platform MPICH mpicc.mpich ",$with_mpich mpirun.mpich -np 3" CC=mpicc.mpich
+if command -v mpicc.mpich > /dev/null
+then
+    for suite in unit parallel restart
+    do
+        take $with_mpich SUNA_LONG= SUNA_MPIRUN=mpirun.mpich CC=mpicc.mpich BUILD="$work/other" \
+            DEM="$work/other/dem" "../$suite/run"
+    done
+fi
 platform "without MPI" gcc "" MPI=no
 platform musl musl-gcc "" MPI=no CC=musl-gcc DEM_CFLAGS=-DDEM_NO_CLONES
 platform aarch64 aarch64-linux-gnu-gcc "qemu-aarch64 -L /usr/aarch64-linux-gnu" MPI=no CC=aarch64-linux-gnu-gcc

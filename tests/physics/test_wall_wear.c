@@ -3,7 +3,10 @@
  * it, each triangle for the part of the way on it; a moving plate, periodic images and the position of the triangles change
  * nothing. A run continued from a snapshot has the volumes of one that ran through, to the last bit.
  *
- * Source: Archard, J. Appl. Phys. 24 (1953) 981.
+ * Spheres that hit a plate at several angles each wear off Finnie's volume once, however long the contact
+ * is; the largest volume is at tan 2a = 2/3.
+ *
+ * Sources: Archard, J. Appl. Phys. 24 (1953) 981; Finnie, Wear 3 (1960) 87.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -85,8 +88,51 @@ static void continues(void)
     TAP_OK(memcmp(whole, continued, sizeof whole) == 0, "continued from a snapshot: the same bits");
 }
 
+/* The volume that one sphere wears off at an angle a, over k/H m v^2 for a sphere of this spin and a
+   plate of this motion, both of which move by `along` more [m/s]. */
+static double hits(double a, const char *spin, const char *motion, double along)
+{
+    const double m = 2500.0*4.0/3.0*acos(-1.0)*R*R*R;
+    double volume[2];
+    struct dem *const d = world(world_text(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } "
+        "effects { hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } } "
+        "walls { plate { type triangles; wear { law finnie; coefficient %g; hardness %g; } %s corners ("
+        "(-0.1 -0.1 0) (0.1 -0.1 0) (0.1 0.1 0) (-0.1 -0.1 0) (0.1 0.1 0) (-0.1 0.1 0)); } } insert { ball { "
+        "type list; diameter %g; positions ((1e-3 2e-3 %.17g)); velocity (%.17g 0 %.17g); spin %s; } }", k, H,
+        motion, 2.0*R, 1.01*R, v*cos(a) + along, -v*sin(a), spin), 0, NULL);
+
+    world_run(d, 0.02);
+    WORLD_TRY(dem_wall_wear(d, 0, volume));
+    dem_free(d);
+    return (volume[0] + volume[1])*H/(k*m*v*v);
+}
+
+static void finnie(void)
+{
+    const double right = acos(0.0), best = 0.5*atan(2.0/3.0);
+    double largest = 0.0, at = 0.0;
+
+    for (int n = 0; n < 18; n++)
+    {
+        const double a = n == 0 ? best : n*right/18.0, s = sin(a), c = cos(a),
+                     f = 3.0*s <= c ? 2.0*s*c - 3.0*s*s : c*c/3.0, found = hits(a, "(0 0 0)", "", 0.0);
+
+        TAP_NEAR(found/f, 1.0, 1e-12, "Finnie's law at %g degrees", a*90.0/right);
+        at = found > largest ? a : at;
+        largest = fmax(largest, found);
+    }
+    TAP_NEAR(largest, 0.5*(sqrt(13.0) - 3.0), 1e-12, "the largest volume");
+    TAP_OK(at == best, "it is at tan 2a = 2/3");
+    TAP_NEAR(hits(right, "(0 0 0)", "", 0.0), 0.0, 1e-30, "a path along the normal wears nothing");
+    TAP_NEAR(hits(best, "(50 20 0)", "", 0.0)/largest, 1.0, 1e-12, "spin does not count");
+    TAP_NEAR(hits(best, "(0 0 0)", "motion { type translation; velocity (0.04 0 0); }", 0.04)/largest, 1.0, 1e-12,
+             "the velocity over a plate that moves counts");
+}
+
 int main(void)
 {
+    finnie();
     continues();
     wears("", "", v, "a sphere on a plate");
     wears("motion { type translation; velocity (0.04 0 0.0); }", "", v + 0.04, "a plate that moves");

@@ -13,10 +13,12 @@
 # handle signals
 begun()
 {
-    local k
+    local k alive=yes
     for ((k = 0; k < 20*run_limit; k++))
     do
+        kill -0 "$runner" 2> /dev/null || alive=
         grep -qs "^step " "$work/$1/log.out" && return 0
+        [ -n "$alive" ] || break
         sleep 0.05
     done
     echo "#   $1 does not begin"
@@ -58,6 +60,14 @@ start()
     watchdog=$!
 }
 
+# family PROCESS: it and all below it; mpirun of MPICH has a process between itself and the ranks
+family()
+{
+    local child
+    echo "$1"
+    for child in $(pgrep -P "$1"); do family "$child"; done
+}
+
 over()
 {
     local status
@@ -91,7 +101,7 @@ passes_signals()
 {
     local k
     (cd "$work" && exec mpirun -np 2 bash -c \
-        'trap "exit 0" USR1; touch ready.$OMPI_COMM_WORLD_RANK; for k in {1..100}; do sleep 0.1; done; exit 1') &
+        'trap "exit 0" USR1; touch ready.${OMPI_COMM_WORLD_RANK-$PMI_RANK}; for k in {1..100}; do sleep 0.1; done; exit 1') &
     runner=$!
     for ((k = 0; k < 200; k++))
     do
@@ -204,13 +214,7 @@ do
     start killed $n "${from[@]}" "${killing[@]}"
     begun killed
     reached killed/log.out "^t " $((1 + RANDOM%30))
-    if [ $n -eq 1 ]
-    then
-        kill -9 $runner
-    else
-        mapfile -t own < <(pgrep -P $runner)
-        kill -9 "${own[@]}" $runner 2> /dev/null
-    fi
+    kill -9 $(family $runner) 2> /dev/null
     over 2> /dev/null
     [ ! -e "$work/killed/out/snapshot.dem.part" ] || torn=$((torn + 1))
     ! "$dem" hash "$work/killed/out/snapshot.dem" > /dev/null || readable=$((readable + 1))

@@ -30,15 +30,6 @@ WIDTH, HEIGHT, TANK, TOP = 0.05, 0.1, 0.2, 0.3  # m, of the column; length and h
 D = 2.7e-3                                      # m, of the grains
 
 
-def values(path):
-    """The internal field of an ASCII file, one row an entry."""
-    text = path.read_text()
-    text = text[text.find("internalField"):] if "internalField" in text else text[text.index("}") + 1:]
-    found = re.search(r"(\d+)\s*\((.*?)\n\)", text, re.S)
-    numbers = numpy.array(re.sub("[()]", " ", found[2]).split(), float)
-    return numbers.reshape(int(found[1]), -1)
-
-
 def cells():
     """Number of cells along x, y and z."""
     return [int(n) for n in re.search(r"^cells\s+\((\d+) (\d+) (\d+)\)",
@@ -53,14 +44,14 @@ def times():
 
 def water(path):
     """Fraction of water of each cell: z, y, x."""
-    return values(path/"alpha.water").reshape(cells()[::-1])
+    return results.field(path/"alpha.water").reshape(cells()[::-1])
 
 
 def fronts():
     """Time, foremost grain and foremost water on the floor [s, m, m]."""
     rows = []
     for path in times():
-        grains = values(path/"lagrangian/particles/positions")
+        grains = results.field(path/"lagrangian/particles/positions")
         floor = water(path)[0].mean(axis=0)
         wet = numpy.nonzero(floor > 0.5)[0]
         rows.append((float(path.name), grains[:, 0].max(), (wet.max() + 1)*TANK/cells()[0]))
@@ -79,7 +70,7 @@ def draw():
     for axis, path in zip(axes, shown):
         x, z = (numpy.arange(nx) + 0.5)*1e3*TANK/nx, (numpy.arange(nz) + 0.5)*1e3*TOP/nz
         axis.contourf(x, z, water(path).mean(axis=1), [0.1, 0.5, 0.9, 2], colors=REFERENCE, alpha=0.25)
-        grains = 1e3*values(path/"lagrangian/particles/positions")[:, :3]
+        grains = 1e3*results.field(path/"lagrangian/particles/positions")[:, :3]
         axis.add_collection(PatchCollection([Circle((at[0], at[2]), 500*D) for at in grains[numpy.argsort(-grains[:, 1])]],
                                             facecolor=OURS, edgecolor="white", linewidth=0.2))
         axis.set(title=f"{float(path.name):g} s", xlim=(0, 1e3*TANK), ylim=(0, 200), xlabel="x [mm]", aspect="equal")

@@ -76,6 +76,15 @@ def record(run):
             numpy.array([beads["velocity"] for _, beads in instants], float))
 
 
+def field(path):
+    """The internal field of an ASCII file, or the list of a file without one (positions); one row an entry."""
+    text = path.read_text()
+    text = text[text.find("internalField"):] if "internalField" in text else text[text.index("}") + 1:]
+    found = re.search(r"(\d+)\s*\((.*?)\n\)", text, re.S)
+    numbers = numpy.array(re.sub("[()]", " ", found[2]).split(), float)
+    return numbers.reshape(int(found[1]), -1)
+
+
 def ended(run):
     log = Path(run)/"log.demPimpleFoam"
     return log.exists() and "\nEnd" in log.read_text(errors="replace")
@@ -91,7 +100,7 @@ def worst(run, key):
 def processor_time(case):
     """Seconds of all runs of a case."""
     total = 0
-    for log in Path(case).rglob("log.demPimpleFoam"):
+    for log in Path(case).rglob("log.dem*Foam"):
         times = re.findall(r"ExecutionTime = ([0-9.]+) s", log.read_text(errors="replace"))
         total += float(times[-1]) if times else 0
     return total
