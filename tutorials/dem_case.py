@@ -177,8 +177,7 @@ def table(path):
 
 def store(text, *files, name="table", result="result.csv"):
     """Keep files of this run in stored/, its result.csv under the name `result`, and put its table
-    into results.md where <!-- name --> is, under a
-line with the run and the machine."""
+    into results.md where <!-- name --> is, if it is, under a line with the run and the machine."""
     Path("stored").mkdir(exist_ok=True)
     shutil.copy("result.csv", Path("stored", result))
     for file in files:
@@ -186,6 +185,6 @@ line with the run and the machine."""
     page = Path("results.md")
     before, found, rest = page.read_text().partition(f"<!-- {name} -->\n")
     if not found:
-        sys.exit(f"store: results.md has no line <!-- {name} -->")
+        return
     after = rest.partition("<!-- end -->")[2]
     page.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")

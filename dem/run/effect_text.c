@@ -12,6 +12,14 @@
 static const char *const stages[DEM_STAGES] = {"normal", "damping", "tangential", "moment",
                                                "bond", "film", "scalar", "body", "fluid"};
 
+static void add_choices(struct dem_text *t, const struct dem_setting *f)
+{
+    for (int k = 0; f->choices[k]; k++)
+    {
+        dem_text_add(t, "%s%s%s", k ? " | " : "", f->choices[k], k == f->default_value ? " (default)" : "");
+    }
+}
+
 static void add_default(struct dem_text *t, const struct dem_setting *f)
 {
     if (f->kind == DEM_SETTING_SWITCH)
@@ -22,10 +30,6 @@ static void add_default(struct dem_text *t, const struct dem_setting *f)
     {
         dem_text_add(t, "required");
     }
-    else if (f->kind == DEM_SETTING_CHOICE)
-    {
-        dem_text_add(t, "default %s", f->choices[(int)f->default_value]);
-    }
     else
     {
         dem_text_add(t, "default %g", f->default_value);
@@ -34,14 +38,20 @@ static void add_default(struct dem_text *t, const struct dem_setting *f)
 
 static void add_range(struct dem_text *t, const struct dem_setting *f)
 {
-    if (f->kind == DEM_SETTING_NUMBER || f->kind == DEM_SETTING_VECTOR)
+    const char *const above = f->min == DEM_ABOVE_ZERO ? "above " : "";
+    const double min = f->min == DEM_ABOVE_ZERO ? 0.0 : f->min;
+
+    if (f->kind != DEM_SETTING_NUMBER && f->kind != DEM_SETTING_VECTOR)
     {
-        dem_text_add(t, ", %s%g .. %g", f->min == DEM_ABOVE_ZERO ? "above " : "",
-               f->min == DEM_ABOVE_ZERO ? 0.0 : f->min, f->max);
+        return;
     }
-    for (int k = 0; f->kind == DEM_SETTING_CHOICE && f->choices[k]; k++)
+    if (isfinite(f->max))
     {
-        dem_text_add(t, "%s%s", k ? " | " : ": ", f->choices[k]);
+        dem_text_add(t, ", %s%g to %g", above, min, f->max);
+    }
+    else if (isfinite(min))
+    {
+        dem_text_add(t, ", %s %g", *above ? ">" : ">=", min);
     }
 }
 
@@ -60,8 +70,15 @@ static void add_effect(struct dem_text *t, const struct dem_effect *e)
                f->kind == DEM_SETTING_SWITCH ? "switch"
                : f->kind == DEM_SETTING_CHOICE ? "choice"
                                                : f->unit);
-        add_default(t, f);
-        add_range(t, f);
+        if (f->kind == DEM_SETTING_CHOICE)
+        {
+            add_choices(t, f);
+        }
+        else
+        {
+            add_default(t, f);
+            add_range(t, f);
+        }
         dem_text_add(t, "\n%-30s %s\n", "", f->help);
     }
     dem_text_add(t, "\n");

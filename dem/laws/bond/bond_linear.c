@@ -87,10 +87,9 @@ static const struct dem_setting settings[] = {
                 "lambda: radius of the bond over the radius of the smaller partner"),
     DEM_SETTING_CHOICE(
         dem_bond_linear, make, "make", DEM_BOND_MAKE_ONCE, makings,
-        "when bonds are made: once at time, always from time on, or once at time for the pairs "
-        "in bonds"),
+        "once at time, always from time on, or once at time for the pairs in bonds"),
     DEM_SETTING(dem_bond_linear, time, "s", 0.0, 0.0, INFINITY,
-                "at which bonds are made (see make)"),
+                "of make"),
     DEM_SETTING_AS(dem_bond_linear, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
                    "bonds are made up to this distance of the centres over R_i + R_j"),
     DEM_SETTING(dem_bond_linear, probability, "1", 1.0, 0.0, 1.0,
@@ -101,20 +100,19 @@ static const struct dem_setting settings[] = {
                        "draw probability again each time a pair comes within makeDistance"),
     DEM_SETTING_SWITCH(dem_bond_linear, walls, "walls", 0, "bonds are also made to walls"),
     DEM_SETTING_CHOICE(dem_bond_linear, contact, "contact", DEM_BOND_CONTACT_REPLACED, contacts,
-                       "contact laws of a bonded pair: replaced by the bond, or acting parallel "
-                       "to it"),
+                       "contact laws of a bonded pair: replaced by the bond, or parallel to it"),
     DEM_SETTING_AS(dem_bond_linear, damping_ratio, "dampingRatio", "1", 0.0, 0.0, 1.0,
                    "zeta: viscous damping, 1 is critical for an isolated pair"),
     DEM_SETTING_AS(dem_bond_linear, damping_share, "dampingShare", "1", 0.0, 0.0, 1.0,
                    "damping force as a fraction of the force of each spring, against its velocity"),
     DEM_SETTING_AS(dem_bond_linear, own_share[0], "normalDampingShare", "1", -1.0, 0.0, 1.0,
-                   "dampingShare of stretching; -1, not given: dampingShare"),
+                   "of stretching; -1: dampingShare"),
     DEM_SETTING_AS(dem_bond_linear, own_share[1], "shearDampingShare", "1", -1.0, 0.0, 1.0,
-                   "dampingShare of shear; -1, not given: dampingShare"),
+                   "of shear; -1: dampingShare"),
     DEM_SETTING_AS(dem_bond_linear, own_share[2], "twistDampingShare", "1", -1.0, 0.0, 1.0,
-                   "dampingShare of twist; -1, not given: dampingShare"),
+                   "of twist; -1: dampingShare"),
     DEM_SETTING_AS(dem_bond_linear, own_share[3], "bendingDampingShare", "1", -1.0, 0.0, 1.0,
-                   "dampingShare of bending; -1, not given: dampingShare"),
+                   "of bending; -1: dampingShare"),
     DEM_SETTING(dem_bond_linear, relaxation, "1/s", 0.0, 0.0, INFINITY,
                 "eta: forces decay as exp(-eta t)"),
     DEM_SETTING_AS(dem_bond_linear, normal_strength, "normalStrength", "Pa", 0.0, 0.0, INFINITY,
@@ -129,8 +127,7 @@ static const struct dem_setting settings[] = {
                    "tan(phi): increase of shearStrength per compressive stress (Drucker-Prager)"),
     DEM_SETTING_AS(
         dem_bond_linear, break_distance, "breakDistance", "1", 1.1, DEM_ABOVE_ZERO, 100.0,
-        "bonds break at this distance of the centres over R_i + R_j; a larger one widens "
-        "the pair search"),
+        "bonds break at this distance of the centres over R_i + R_j; widens the pair search"),
     {0},
 };
 

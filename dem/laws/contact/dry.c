@@ -33,8 +33,8 @@ static const struct dem_setting settings[] = {
                 "speed after a normal impact over speed before"),
     DEM_SETTING_CHOICE(dem_dry, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
                        "whether the contact may pull while it opens; clamped: the dashpot never "
-                       "pulls, and restitution is too high, 0.55 for 0.5, 0.81 for 0.8; none: "
-                       "max(F, 0), which removes the adhesion of the normal law, too"),
+                       "does (restitution 0.55 for 0.5, 0.81 for 0.8); none: max(F, 0), "
+                       "without adhesion"),
     {0},
 };
 

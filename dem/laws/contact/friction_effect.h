@@ -16,11 +16,9 @@
 
 #define DEM_FRICTION_SWITCHES(type)                                                            \
     DEM_SETTING_SWITCH(type, common.damping, "tangentialDamping", 1,                           \
-                       "damping with the coefficient of the normal law while the contact "     \
-                       "sticks"),                                                              \
+                       "dashpot with the coefficient of the normal law, while sticking"),                                                              \
     DEM_SETTING_SWITCH(type, common.adhesion, "adhesion", 1,                                   \
-                       "count adhesion in the friction limit: mu (F_n + 2 F_c) with jkr, mu "  \
-                       "(F_n + k_c d) with hookeHysteresis")
+                       "limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis")
 
 /* 8 G* of a class [Pa], for the law of this name; an error without a normal law or shear moduli. */
 int dem_mindlin_modulus(const char *law, const struct dem_pair_class *, double *modulus);

@@ -63,17 +63,16 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(dem_stokes_damping, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the fluid in the gap; 0: of the run's fluid"),
     DEM_SETTING_AS(dem_stokes_damping, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
-                   "C_M: mass m + C_M rho_f V in St; -1, not given: 0.5 where rho_f is known, "
-                   "as in the fit of beta; with virtualMass its own"),
+                   "C_M: mass m + C_M rho_f V in St; -1: 0.5 where rho_f is known, as in the "
+                   "fit of beta; with virtualMass its own"),
     DEM_SETTING_AS(dem_stokes_damping, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
                    "rho_f for addedMass; 0: of the run's fluid"),
     DEM_SETTING_CHOICE(
         dem_stokes_damping, speed, "speed", DEM_STOKES_IMPACT, speeds,
-        "v in St: of the first contact, or instantaneous as in LIGGGHTS, where restitution "
-        "becomes 0.55 for 0.68 at St = 100"),
+        "v in St: of the first contact, or instantaneous as in LIGGGHTS (restitution 0.55 for "
+        "0.68 at St = 100)"),
     DEM_SETTING_CHOICE(dem_stokes_damping, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                       "as for dry; clamped, restitution is too high: 0.54 for 0.48, 0.70 for "
-                       "0.68"),
+                       "as for dry; clamped: restitution 0.54 for 0.48, 0.70 for 0.68"),
     {0},
 };
 

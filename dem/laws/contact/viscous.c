@@ -29,8 +29,7 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(dem_viscous, coefficient, "kg/s", DEM_SETTING_REQUIRED, 0.0, INFINITY,
               "c: force over normal relative velocity"),
     DEM_SETTING_CHOICE(dem_viscous, attraction, "attraction", DEM_ATTRACTION_ALLOWED, dem_attractions,
-                     "whether the dashpot may pull while the contact opens; clamped, restitution "
-                     "is higher, see dry"),
+                     "as for dry"),
     {0},
 };
 

@@ -76,7 +76,7 @@ def fall(cell, Re, entries):
     case.solve(T, T*round(travel/step), nu, f"""
 materials {{ glass {{ density 2650; youngsModulus 1e5; }} }}
 effects {{ hertz {{}} schillerNaumann {{}} pressureGradient {{}} }}
-insert {{ sphere {{ type list; diameter {D}; 
+insert {{ sphere {{ type list; diameter {D};
     positions ({vector(start)}); }} }}
 coupling {{ rho 1000; {entries} }}""")
     v = case.vectors("particles", "momentum") @ DIRECTION/(2650*math.pi*D**3/6*SPEED)
