@@ -81,7 +81,7 @@ void Foam::demParticleBudget::begin(const bool volumeAveraged)
 }
 
 
-// Of all particles, with the impulses owed to them
+// Sums over all particles, with the impulses owed to them
 void Foam::demParticleBudget::sumParticles
 (
     const volVectorField& gradP,

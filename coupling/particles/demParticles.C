@@ -123,7 +123,7 @@ void Foam::demParticles::setDiameter()
         {
             diameter_ = std::cbrt
             (
-                6*now.volume/(constant::mathematical::pi*scalar(now.particles))
+                6*now.volume/(constant::mathematical::pi*scalar(now.bodies))
             );
         }
     }

@@ -6,6 +6,7 @@
 #include "case/dem_case.h"
 #include "device/device_steps.h"
 #include "core/memory.h"
+#include "particles/clump_flow.h"
 #include "ranks/collect.h"
 #include "ranks/mpi_error.h"
 
@@ -136,6 +137,11 @@ void dem_free(struct dem *d)
     dem_walls_free(&d->state.walls);
     dem_wall_store_free(&d->state.wall_store);
     dem_interaction_table_free(&d->state.interaction_table);
+    if (d->state.clumps.flow)
+    {
+        dem_clump_flow_free(d->state.clumps.flow);
+        dem_memory_free(d->state.clumps.flow);
+    }
     dem_clumps_free(&d->state.clumps);
     dem_applied_forces_free(&d->state.applied_forces);
     dem_load_balance_free(&d->state.load_balance);

@@ -6,8 +6,19 @@
  */
 #include "case/dem_case.h"
 #include "core/error.h"
+#include "core/memory.h"
+#include "particles/clump_flow.h"
 #include "ranks/collect.h"
 #include <math.h>
+
+/* Gravity, drag, pressure gradient, viscous stress and viscous torque act on bodies. */
+static int acts_on_bodies(const struct dem_effect *e)
+{
+    const int lift = e->has_reaction && !(e->needs & DEM_NEEDS_STRESS);
+
+    return e->stage == DEM_STAGE_BODY ? e->uniform_acceleration != NULL
+                                      : !e->transfers && !e->has_added_mass && !e->eddies && !lift;
+}
 
 static int refuse_effects(const struct dem_interaction_table *r)
 {
@@ -15,11 +26,10 @@ static int refuse_effects(const struct dem_interaction_table *r)
     {
         const struct dem_effect *const e = r->effect[k];
 
-        DEM_REQUIRE((e->stage != DEM_STAGE_BODY && e->stage != DEM_STAGE_FLUID) ||
-                        e->uniform_acceleration,
+        DEM_REQUIRE((e->stage != DEM_STAGE_BODY && e->stage != DEM_STAGE_FLUID) || acts_on_bodies(e),
                     DEM_ERROR_INPUT,
-                    "shapes: effects/%s acts on single spheres, gravity alone acts on clumps; leave out "
-                    "one of the two", e->name);
+                    "shapes: effects/%s acts on single spheres; on clumps act gravity, drag laws, "
+                    "pressureGradient, viscousStress and viscousTorque; leave out one of the two", e->name);
         /* a spring against rolling is not bounded by the inertia of one sphere */
         DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || (e->mechanism == DEM_MECHANISM_ROLLING && e->history),
                     DEM_ERROR_INPUT,
@@ -44,13 +54,15 @@ static int refuse_entries(const struct dem_case *c)
     } entries[] = {
         {"domain/flat", box->flat[0] || box->flat[1] || box->flat[2]},
         {"parcels", d->state.interaction_table.parcels.used},
-        {"a particle scalar", d->state.interaction_table.scalars > 0},
+        {"a particle scalar", d->state.interaction_table.listed > 0},
         {"forces", d->state.applied_forces.n > 0},
-        {"fluid", d->scene.fluid.given},
         {"averages", d->scene.averages > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"stresses of particles", c->virial},
-        {"a coupled fluid", d->with_fluid},
+        {"a drag law with the mean diameter around a particle",
+         (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_MEAN_DIAMETER) != 0},
+        {"coupling/ownWake", c->own_wake},
+        {"write/energy in a fluid", d->with_fluid && c->energy},
     };
 
     for (size_t k = 0; k < sizeof entries/sizeof *entries; k++)
@@ -115,6 +127,20 @@ static int check_body(const struct dem *d, size_t i)
     return b ? dem_clump_check_spin(b, &p->record[i], d->step, DEM_ERROR_INPUT) : DEM_OK;
 }
 
+/* In a fluid. */
+static int begin_flow(struct dem *d)
+{
+    struct dem_clumps *const c = &d->state.clumps;
+    const unsigned needs = d->state.interaction_table.bodies.needs;
+
+    if (d->scene.shapes.n == 0 || !dem_column(&d->state.particles, DEM_COLUMN_FLUID_VELOCITY))
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(c->flow, 1));
+    return dem_clump_flow_begin(c->flow, &d->scene.shapes, (needs & DEM_NEEDS_FORM) != 0);
+}
+
 /* Bodies of a snapshot come with their state, and need the column of it. */
 int dem_api_begin_clumps(struct dem *d)
 {
@@ -141,5 +167,6 @@ int dem_api_begin_clumps(struct dem *d)
         dem_collect_max_double(&p->decomposition, &reach, 1);
         p->halo.clump_reach = reach;
     }
+    DEM_TRY(begin_flow(d));
     return dem_collect_status(&p->decomposition);
 }

@@ -138,7 +138,7 @@ static int find_ratios(struct dem_state *p)
     return DEM_OK;
 }
 
-/* Of the bodies of a material the smallest volume for the limit of the time step [m3]; not changed without one. */
+/* The smallest volume of a body of each material, for the limit of the time step [m3]; not changed without one. */
 static void find_bodies(const struct dem *d, double least[DEM_MATERIALS])
 {
     const struct dem_particles *const p = &d->state.particles;

@@ -14,7 +14,7 @@
 #include "contacts/gathered.h"
 #include "laws/row.h"
 
-/* Of a pair: the normals of now and of half a step ago, the raw overlap (negative where there is a
+/* Geometry of a pair: the normals now and half a step ago, the raw overlap (negative where there is a
    gap), reduced radius and mass, the smaller radius. All quotients come from one division, because
    divisions and square roots take half of the time of a contact. */
 DEM_MATH void dem_geometry_pair(const struct dem_gathered *g, int c, double dt,

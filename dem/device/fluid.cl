@@ -24,6 +24,7 @@
 static void dem_fluid_begin(global const double *restrict columns, uint n, uint i,
                             double over_window, struct dem_body_row *r)
 {
+    r->sphericity = r->crosswise = r->lengthwise = 1.0;
     r->volume = 4.0/3.0*3.14159265358979323846*r->radius*r->radius*r->radius;
     r->drag = r->drag_ux = r->drag_uy = r->drag_uz = r->rx = r->ry = r->rz = 0.0;
     r->spin_drag = r->spin_drag_wx = r->spin_drag_wy = r->spin_drag_wz = 0.0;

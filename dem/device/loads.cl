@@ -1,7 +1,7 @@
 /*
  * loads.cl -- the impulse that particles give to each wall in a step, as wall_statistics.c sums it: in
- * exact sums (core/sum.h), so the order of the additions has no effect. FACETS: contacts are those of
- * facets.cl; MOMENTS: rows have some.
+ * exact sums (core/sum.h), so the order of the additions has no effect. FACETS: contacts from facets.cl;
+ * MOMENTS: rows have some.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

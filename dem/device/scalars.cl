@@ -64,7 +64,7 @@ static global double *dem_scalar_exchanged(global double *columns, uint n, uint 
     return columns + (size_t)(dem_scalar_exchange[k] + which)*n + i;
 }
 
-/* Rates begin with those of contacts, in the order of partner ids, and of the program. */
+/* Rates begin with the rates of contacts, in the order of partner ids, and of the program. */
 static void dem_particle_scalars_begin(global double *columns, uint n, uint i, double over_window,
                                        global const double *rates, global const uchar *touch,
                                        global const uint *start, global const uint *entry,

@@ -205,9 +205,8 @@ void dem_set_stop_flag(struct dem *, const volatile sig_atomic_t *asked);
 int dem_stopped(const struct dem *);
 
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
-   `self`, the simulated time [s] and the number of steps made so far. Of the library it may call
-   dem_stop_file_look and dem_keep_signals only.
-   NULL ends it. */
+   `self`, the simulated time [s] and the number of steps made so far. The only calls of the
+   library that it may make are dem_stop_file_look and dem_keep_signals. NULL ends it. */
 void dem_set_progress(struct dem *, double seconds,
                       void (*report)(void *self, double time, int64_t steps), void *self);
 
@@ -216,7 +215,7 @@ void dem_set_progress(struct dem *, double seconds,
    them; and before its first half kick, with both at one time. It adds force [N] and torque [N m],
    3 each in the order of the view, 0 when it is called, which act in the kick of this step; forces in
    the view are contact forces of the step before. The result must depend on the particle, not on
-   rank or index, for the same bits on any ranks. Of the library it may call dem_at only. Forces on
+   rank or index, for the same bits on any ranks. It may call only dem_at of the library. Forces on
    frozen particles have no effect. NULL ends it. Refused in coupled runs and with clumps; with it the CPU makes the steps. */
 int dem_set_force(struct dem *,
                   void (*add)(void *self, double time, const struct dem_view *, double *force,

@@ -91,8 +91,8 @@ int dem_stages_over(const struct dem *);  /* 1: the last stage has ended */
 
 /* ---- a cell that deforms ---------------------------------------------------------------------- */
 
-/* Collective. Of the scene's domain/cell; contacts are those of the last step, none after a load before
-   the first one. An error in a scene without a cell. */
+/* Collective. The scene's domain/cell, with the contacts of the last step; none after a load before the
+   first step. An error in a scene without a cell. */
 int dem_cell(struct dem *, struct dem_cell_now *);
 int dem_has_cell(const struct dem *);  /* 1: the scene has one */
 

@@ -288,6 +288,11 @@ struct dem_view
                                                   dem_case_enable_orientation */
     const int64_t *clump;                      /* with stride; 1 + the first id of the rigid body
                                                   that it belongs to, 0: none; NULL without shapes */
+    const double *density;                     /* kg/m3 of material 0; of material m
+                                                  dem_at(density, density_stride, m). A sphere of a
+                                                  clump has the volume mass/density; NULL without
+                                                  shapes */
+    size_t density_stride;
     double period[3];                          /* m  length of the box along periodic axes, 0 along
                                                   others: positions that differ by it are one */
 };

@@ -172,6 +172,11 @@ struct dem_body_batch
     _Alignas(64) double mass[DEM_BATCH_ROWS];
     /* m3      */
     _Alignas(64) double volume[DEM_BATCH_ROWS];
+    /* 1      sphericity: of the surface; crosswise and lengthwise, of projected areas along the slip
+              (particles/clump_form.h); 1 for spheres (with DEM_NEEDS_FORM) */
+    _Alignas(64) double sphericity[DEM_BATCH_ROWS];
+    _Alignas(64) double crosswise[DEM_BATCH_ROWS];
+    _Alignas(64) double lengthwise[DEM_BATCH_ROWS];
     /* m/s    velocity */
     _Alignas(64) double vx[DEM_BATCH_ROWS];
     _Alignas(64) double vy[DEM_BATCH_ROWS];

@@ -60,7 +60,8 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_MEAN_DIAMETER = 256,                        /* body: mean_diameter */
     DEM_NEEDS_TURBULENCE = 512,                           /* body: the fluid's fluctuation in u */
     DEM_NEEDS_RADII = 1024,                               /* contact with scalars: radii of both */
-    DEM_NEEDS_DISSIPATION = 2048                          /* contact: dissipated */
+    DEM_NEEDS_DISSIPATION = 2048,                         /* contact: dissipated */
+    DEM_NEEDS_FORM = 4096                                 /* body: sphericity crosswise lengthwise */
 };
 
 /* how a law acts on parcels (laws/parcels.h) of the ratio l */

@@ -43,6 +43,7 @@
     ROW(koch_hill)                                                                                                    \
     ROW(beetstra)                                                                                                     \
     ROW(tenneti)                                                                                                      \
+    ROW(hoelzer_sommerfeld)                                                                                           \
     ROW(viscous_stress)                                                                                               \
     ROW(virtual_mass)                                                                                                 \
     ROW(saffman_mei)                                                                                                  \

@@ -37,6 +37,7 @@ enum
 /* the columns of struct dem_body_batch, likewise */
 #define DEM_BODY_COLUMNS(COLUMN)                                                               \
     COLUMN(radius) COLUMN(mass) COLUMN(volume)                                                 \
+    COLUMN(sphericity) COLUMN(crosswise) COLUMN(lengthwise)                                    \
     COLUMN(vx) COLUMN(vy) COLUMN(vz) COLUMN(wx) COLUMN(wy) COLUMN(wz)                          \
     COLUMN(ux) COLUMN(uy) COLUMN(uz) COLUMN(gx) COLUMN(gy) COLUMN(gz)                          \
     COLUMN(void_fraction) COLUMN(density) COLUMN(viscosity)                                    \

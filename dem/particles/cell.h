@@ -12,7 +12,7 @@
  *
  *   dx/dt = u + D x      du/dt = F/m - D u
  *
- * the equations of motion of Evans and Morriss (SLLOD), those of Newton while D does not change. So
+ * the equations of motion of Evans and Morriss (SLLOD): Newton's while D does not change. So
  * nothing of a particle changes when it is wrapped. The relative velocity of a pair at the distance
  * r, through periodic faces too, is u_i - u_j + D r.
  *

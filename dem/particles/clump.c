@@ -342,37 +342,50 @@ void dem_clump_fall(struct dem_particles *p, size_t i, const double g[3], double
     }
 }
 
-void dem_clumps_kick(const struct dem_clumps *c, struct dem_particles *p, const double g[3], double h)
+void dem_clump_contact_sums(const struct dem_clumps *c, size_t body, const struct dem_particles *p,
+                            double F[3], double T[3])
 {
     const double *const force = dem_column(p, DEM_COLUMN_FORCE),
                  *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
 
+    for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+    {
+        const size_t i = c->member[k];
+        double arm[3], moment[3];
+
+        dem_clump_rotate(b->q, dem_clump_at(p, i)->offset, arm);
+        dem_vec_cross(arm, force + 3*i, moment);
+        for (int a = 0; a < 3; a++)
+        {
+            F[a] += force[3*i + (size_t)a];
+            T[a] += moment[a] + torque[3*i + (size_t)a];
+        }
+    }
+}
+
+void dem_clump_spread(const struct dem_clumps *c, size_t body, struct dem_particles *p)
+{
+    share(c, body, p);
+    for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+    {
+        set_velocity(p, c->member[k]);
+    }
+}
+
+void dem_clumps_kick(const struct dem_clumps *c, struct dem_particles *p, const double g[3], double h)
+{
     for (size_t body = 0; body < c->n; body++)
     {
         struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
-        double F[3] = {0.0, 0.0, 0.0}, T[3] = {0.0, 0.0, 0.0}, arm[3], moment[3];
+        double F[3] = {0.0, 0.0, 0.0}, T[3] = {0.0, 0.0, 0.0};
 
-        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
-        {
-            const size_t i = c->member[k];
-
-            dem_clump_rotate(b->q, dem_clump_at(p, i)->offset, arm);
-            dem_vec_cross(arm, force + 3*i, moment);
-            for (int a = 0; a < 3; a++)
-            {
-                F[a] += force[3*i + (size_t)a];
-                T[a] += moment[a] + torque[3*i + (size_t)a];
-            }
-        }
+        dem_clump_contact_sums(c, body, p, F, T);
         for (int a = 0; a < 3; a++)
         {
             b->v[a] += h*(F[a]/b->mass + g[a]);
             b->momentum[a] += h*T[a];
         }
-        share(c, body, p);
-        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
-        {
-            set_velocity(p, c->member[k]);
-        }
+        dem_clump_spread(c, body, p);
     }
 }

@@ -52,6 +52,7 @@ struct dem_clumps
     size_t *start;               /* of each in the next array, and the end */
     uint32_t *member;            /* particles in the order of their ids */
     size_t start_capacity, member_capacity;
+    struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
 };
 
 /* The body of a particle that belongs to one. */
@@ -128,6 +129,12 @@ void dem_clumps_drift(const struct dem_clumps *, struct dem_particles *, const s
 /* After the kick of particles over h [s], which leaves no valid velocities of these spheres: the same
    for bodies, with the contact forces in the columns and gravity g [m/s2]. */
 void dem_clumps_kick(const struct dem_clumps *, struct dem_particles *, const double g[3], double h);
+
+/* Its parts: add force and moment about the centre of the contacts of a body; write its new motion to
+   its spheres. */
+void dem_clump_contact_sums(const struct dem_clumps *, size_t body, const struct dem_particles *, double F[3],
+                            double T[3]);
+void dem_clump_spread(const struct dem_clumps *, size_t body, struct dem_particles *);
 
 /* The same for a sphere of a body that touches nothing, and its body. */
 void dem_clump_fall(struct dem_particles *, size_t i, const double g[3], double h);

@@ -35,6 +35,61 @@ static double step_volume(const struct dem_clump_shape *s)
     return s->volume/contacts*fmin(1.0, 4.0/contacts);
 }
 
+/* One axis: make the shares' centre 0 along it, with factors 1 + t (x - centre) of at least 1/10. */
+static double centre_shares(struct dem_clump_shape *s, int a)
+{
+    double centre = 0.0, square = 0.0, most = 0.0, sum = 0.0;
+
+    for (size_t k = 0; k < s->n; k++)
+    {
+        centre += s->share[k]*s->offset[k][a];
+    }
+    for (size_t k = 0; k < s->n; k++)
+    {
+        const double d = s->offset[k][a] - centre;
+
+        square += s->share[k]*d*d;
+        most = fmax(most, fabs(d));
+    }
+    if (square <= 1e-20*s->reach*s->reach)
+    {
+        return 0.0;
+    }
+    const double t = fmax(-0.9/most, fmin(0.9/most, -centre/square));
+
+    for (size_t k = 0; k < s->n; k++)
+    {
+        s->share[k] *= 1.0 + t*(s->offset[k][a] - centre);
+        sum += s->share[k];
+    }
+    for (size_t k = 0; k < s->n; k++)
+    {
+        s->share[k] /= sum;
+    }
+    return fabs(centre);
+}
+
+/* The shares by r^3, then with the body's centre, axis by axis; by r^3 if no shares above 0 have it. */
+static int find_shares(struct dem_clump_shape *s)
+{
+    double off = INFINITY;
+
+    DEM_TRY(DEM_NEW(s->share, s->n));
+    for (size_t k = 0; k < s->n; k++)
+    {
+        s->share[k] = dem_sphere_volume(s->sphere[k][3])/s->solid;
+    }
+    for (int turn = 0; turn < 300 && off > 1e-15*s->reach && s->volume < s->solid*(1.0 - 1e-12); turn++)
+    {
+        off = fmax(centre_shares(s, 0), fmax(centre_shares(s, 1), centre_shares(s, 2)));
+    }
+    for (size_t k = 0; k < s->n && off < INFINITY && off > 1e-9*s->reach; k++)
+    {
+        s->share[k] = dem_sphere_volume(s->sphere[k][3])/s->solid;
+    }
+    return DEM_OK;
+}
+
 /* Centre, inertia and offsets from the integrals. */
 static int finish(struct dem_clump_shape *s, const struct dem_union_moments *m)
 {
@@ -73,7 +128,7 @@ static int finish(struct dem_clump_shape *s, const struct dem_union_moments *m)
         s->solid += dem_sphere_volume(s->sphere[k][3]);
     }
     s->step_volume = step_volume(s);
-    return DEM_OK;
+    return find_shares(s);
 }
 
 /* ---- reading --------------------------------------------------------------------------------- */
@@ -125,6 +180,7 @@ void dem_clump_shapes_free(struct dem_clump_shapes *all)
     for (size_t k = 0; k < all->n; k++)
     {
         dem_memory_free(all->shape[k].offset);
+        dem_memory_free(all->shape[k].share);
     }
     dem_memory_free(all->shape);
     memset(all, 0, sizeof *all);

@@ -6,6 +6,10 @@
  * The body is the union of its spheres (sphere_union.h): what several of them hold counts once.
  * Multiplied by the density of the material of a group they are mass and inertia.
  *
+ * A sphere of a body has a share of its mass, volume and forces of the fluid: by r^3, changed so that the
+ * centre of these shares is the centre of the union. Fields that are alike at all spheres, gravity or a
+ * pressure gradient, then turn no body, and sums over spheres have the momentum of the body.
+ *
  * Limit of the time step. A body of mass M with contacts of all its n spheres at once, each with the
  * stiffness k and the dashpot c = 2 z sqrt(k M), has at most omega^2 = N k/M and the rate N c/M,
  *
@@ -31,9 +35,10 @@ struct dem_clump_shape
     size_t n;
     const double (*sphere)[4];        /* x, y, z [m] in the axes of the scene, radius [m] */
     double (*offset)[3];              /* m  from the centre, in principal axes; owned */
+    double *share;                    /* 1  of each sphere; owned */
     double volume, centre[3];         /* m3, m  of the union */
     double inertia[3];                /* m5  principal moments over the density */
-    double principal[4];              /* quaternion from the principal axes to those of the scene */
+    double principal[4];              /* quaternion from the principal axes to the scene's */
     double solid;                     /* m3  sum of the volumes of the spheres */
     double step_volume;               /* m3  for the limit of the time step, see above */
     double bound, reach;              /* m  radius of the sphere around the centre that holds the

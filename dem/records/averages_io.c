@@ -222,11 +222,11 @@ int dem_averages_io_write(const char *folder, const struct dem_averages_entry *p
     struct dem_file f;
     char path[1024];
 
-    DEM_REQUIRE(strlen(folder) + strlen(p->name) + sizeof "/.csv" <= sizeof path, DEM_ERROR_INPUT,
+    const int length = snprintf(path, sizeof path, "%s/%s.csv", folder, p->name);
+    DEM_REQUIRE(length > 0 && (size_t)length < sizeof path, DEM_ERROR_INPUT,
                 "path %s/%s.csv of the averages %s is "
                 "longer than %zu characters; use a shorter folder or name",
                 folder, p->name, p->name, sizeof path - 1);
-    snprintf(path, sizeof path, "%s/%s.csv", folder, p->name);
     DEM_TRY(dem_file_begin(&f, path));
     write_head(f.stream, field, fields);
     for (size_t cell = 0; cell < cells; cell++)
@@ -234,7 +234,7 @@ int dem_averages_io_write(const char *folder, const struct dem_averages_entry *p
         write_row(f.stream, p, field, fields, stride, cell);
     }
     DEM_TRY(dem_file_finish(&f, DEM_OK));
-    snprintf(path, sizeof path, "%s/%s.vti", folder, p->name);
+    memcpy(path + length - 3, "vti", 3);
     DEM_TRY(dem_file_begin(&f, path));
     write_image(f.stream, p, field, fields, stride, cells);
     return dem_file_finish(&f, DEM_OK);

@@ -70,11 +70,11 @@ static int write_lines(const struct dem_file_ranks *by, const char *folder, cons
         {"stored", &l->stored, stride, DEM_VTK_FLOAT32, 1},
     };
     char path[1200];
+    const int length = snprintf(path, sizeof path, "%s/%s", folder, file);
 
     dem_sort_by(l, (size_t)n, sizeof *l, by_ids);
-    DEM_REQUIRE(strlen(folder) + strlen(file) + 16 < sizeof path, DEM_ERROR_INPUT,
+    DEM_REQUIRE(length > 0 && length + 16 < (int)sizeof path, DEM_ERROR_INPUT,
                 "path %s/%s is longer than %zu characters", folder, file, sizeof path - 17);
-    snprintf(path, sizeof path, "%s/%s", folder, file);
     return dem_vtk_write_lines(by, path, n, columns, (int)(sizeof columns/sizeof columns[0]));
 }
 

@@ -1,8 +1,8 @@
 /*
  * lost_cause.h -- the probable cause of the loss of a particle, from its last time step.
  *
- * Of a particle outside the domain we know the side that it crossed, its speed, the walls near it,
- * and the overlaps of its contacts in the last sweep. They point to the usual causes: no wall
+ * The side of the domain that a particle crossed, its speed, the walls near it and the overlaps of its
+ * contacts in the last sweep are known. They point to the usual causes: no wall
  * there, a time step too long, a contact too soft, pressure by other particles. A particle that
  * crossed a wall earlier and flew on has that crossing in the list as well, with the same id.
  *

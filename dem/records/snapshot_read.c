@@ -281,7 +281,7 @@ int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size)
     return status;
 }
 
-/* Of the columns that are scalars of an effect, as dem_hash counts them. `packed`: behind the record. */
+/* Hash of the columns that are scalars of an effect, as in dem_hash. `packed`: behind the record. */
 static uint64_t fingerprint_of_scalars(const struct dem_snapshot_header *h, int64_t id,
                                        const double *packed)
 {

@@ -45,8 +45,6 @@ static int check_fluid(const struct dem *d)
                 "remove them, or run the scene by itself");
     DEM_REQUIRE(!(d->coupled && d->state.cell.active), DEM_ERROR_INPUT,
                 "domain/cell does not go with a coupled fluid; remove it, or run the scene by itself");
-    DEM_REQUIRE(!(d->coupled && d->scene.shapes.n > 0), DEM_ERROR_INPUT,
-                "shapes: clumps do not go with a coupled fluid yet; remove them, or run the scene by itself");
     DEM_REQUIRE(!d->with_fluid || d->scene.fluid.given || d->flow_on_request
                     || d->state.flows->plan->streams == 0,
                 DEM_ERROR_STATE,

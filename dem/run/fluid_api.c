@@ -12,6 +12,7 @@
 #include "laws/fluid/particle_exchange.h"
 #include "laws/fluid/viscosity.h"
 #include "particles/scalars.h"
+#include "records/totals.h"
 
 int dem_needs_fluid(const struct dem *d)
 {
@@ -113,7 +114,7 @@ double dem_fluid_under_relax(struct dem *d)
     for (size_t i = 0; factor && i < p->n; i++)
     {
         const struct dem_particle *const r = &p->record[i];
-        const double displaced = density[i]*dem_particle_volume(r);
+        const double displaced = density[i]*dem_totals_volume(&d->state, r);
         const int moves = r->inverse_mass > 0.0 && displaced > 0.0;
         const double of_cells =
             void_fraction[i] - (own ? own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_VOID] : 0.0);
@@ -141,7 +142,9 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
     DEM_REQUIRE(u, DEM_ERROR_STATE, "dem_fluid_correct without fluid effects");
     for (size_t i = 0; i < p->n; i++)
     {
-        const double volume = d->pressure_gradient ? dem_particle_volume(&p->record[i]) : 0.0;
+        const double volume = d->pressure_gradient
+                                  ? dem_totals_volume(&d->state, &p->record[i])
+                                  : 0.0;
         const double Q = transmitted[i]*volume*d->state.window.length;
 
         for (size_t k = 3*i; k < 3*i + 3; k++)
@@ -196,8 +199,10 @@ double dem_fluid_relaxation(const struct dem *d)
 
     for (size_t i = 0; time && p->window.length > 0.0 && i < p->particles.n; i++)
     {
+        const struct dem_particle *const r = &p->particles.record[i];
+        /* B and mass of a sphere of a body are the same share of the body's */
         const double rate =
-            dem_exchange_rate(time[i], p->window.length, p->particles.record[i].inverse_mass);
+            dem_exchange_rate(time[i], p->window.length, r->body ? 1.0/r->mass : r->inverse_mass);
 
         max = rate > max ? rate : max;
     }

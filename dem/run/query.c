@@ -313,7 +313,11 @@ int dem_wall_corners(struct dem *d, int wall, double *corners)
 
 void dem_view(const struct dem *d, struct dem_view *v)
 {
+    const struct dem_material *const m = d->state.interaction_table.material;
+
     dem_particles_view(&d->state.particles, d->state.domain.length, v);
+    v->density = v->clump ? &m->density : NULL;
+    v->density_stride = sizeof *m;
 }
 
 int dem_view_leave(struct dem *d, struct dem_view_arrays *was)

@@ -56,8 +56,8 @@ void dem_insert_ratios(const struct dem_insertion *, struct dem_interaction_tabl
 int64_t dem_insert_next_id(const struct dem_insertion *);
 int dem_insert_refuse_duplicates(const struct dem_insertion *, size_t n, const int64_t *id);
 
-/* Refuse groups outside the domain. Of a lattice only the ends of its rows and layers are
-   checked, of a random group the bounding box; what is left is refused when it is placed. */
+/* Refuse groups outside the domain, by the ends of the rows and layers of a lattice and the bounding
+   box of a random group; other particles outside are refused when they are placed. */
 int dem_insert_check_domain(const struct dem_insertion *, const struct dem_domain *);
 
 /* Collective. Create the particles of all groups, each rank a part of them. Fails on all ranks

@@ -119,7 +119,7 @@ struct dem_particle dem_clump_source_sphere(const struct dem_clump_source *s, do
                                                 density, p->material);
 
     memcpy(body->offset, s->shape->offset[k], sizeof body->offset);
-    q.mass *= s->shape->volume/s->shape->solid;
+    q.mass = density*s->shape->volume*s->shape->share[k];
     q.inverse_mass = 1.0/body->mass;
     q.inverse_inertia = 3.0/(body->inertia[0] + body->inertia[1] + body->inertia[2]);
     q.body = p->id + 1;

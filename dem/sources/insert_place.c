@@ -225,7 +225,7 @@ static int summarize(struct dem_initial_particles *c, const struct dem_insert_gr
     for (int64_t m = 0; b->clump.shape && m < dem_clump_source_ids(&b->clump); m++)
     {
         const double d = 2.0*b->clump.shape->sphere[m][3];
-        const double volume = b->clump.shape->volume/b->clump.shape->solid*dem_sphere_volume(0.5*d);
+        const double volume = b->clump.shape->volume*b->clump.shape->share[m];
 
         dem_initial_particles_count(c, b->count, d, volume, density*volume, b->material);
     }

@@ -66,7 +66,7 @@ static int read_region(struct dem_insert_group *b, const struct dem_domain *d,
     return dem_insertion_shape_check_fits(&b->shape, 0.5*sizes->min, b->where);
 }
 
-/* The diameter of a body is that of the sphere that holds it in any orientation. */
+/* A body has the diameter of the sphere that holds it in any orientation. */
 static int read_sizes(struct dem_insert_group *b, struct dem_size_distribution *sizes)
 {
     if (b->clump.shape)

@@ -110,7 +110,7 @@ static int check_masses(const struct dem_stream *s, const struct dem_interaction
     return DEM_OK;
 }
 
-/* The diameter of a body is that of the sphere that holds it in any orientation. */
+/* A body has the diameter of the sphere that holds it in any orientation. */
 static int read_sizes(struct dem_stream *s, const struct dem_dict *dict)
 {
     if (s->clump.shape)

@@ -107,6 +107,15 @@ static void gather_spins(struct dem_body_batch *batch, const struct dem_particle
     }
 }
 
+/* Of spheres. */
+static void set_forms(struct dem_body_batch *batch)
+{
+    for (int c = 0; c < batch->n; c++)
+    {
+        batch->sphericity[c] = batch->crosswise[c] = batch->lengthwise[c] = 1.0;
+    }
+}
+
 /* Split a column of vectors into three columns of components. */
 DEM_KERNEL
 static void split(const double *restrict from, int rows, double *restrict x, double *restrict y,
@@ -164,15 +173,19 @@ static void gather_forces(struct dem_body_workspace *restrict work, int rows)
 }
 
 void dem_body_batch_gather(struct dem_body_workspace *work, const struct dem_particles *particles,
-                           size_t first, int rows, int spin)
+                           size_t first, int rows, unsigned needs)
 {
     struct dem_body_batch *const batch = &work->batch;
 
     batch->n = (rows + 7)/8*8;
     gather_records(work, particles->record + first, rows);
-    if (spin)
+    if (needs & DEM_NEEDS_SPIN)
     {
         gather_spins(batch, particles->record + first, rows);
+    }
+    if (needs & DEM_NEEDS_FORM)
+    {
+        set_forms(batch);
     }
     if (dem_column(particles, DEM_COLUMN_OTHER_IMPULSE))
     {

@@ -47,10 +47,10 @@ static inline int dem_body_batch_rows(const struct dem_particles *particles, siz
 void dem_body_batch_load_forces(struct dem_body_workspace *, const struct dem_particles *,
                                 size_t first, int rows);
 
-/* Gather the particles [first, first + rows) with their contact forces, and their spins if `spin`
-   is set. Drag and other results are cleared. */
+/* Gather the particles [first, first + rows) with their contact forces, and their spins and forms if
+   `needs` (enum dem_needs) has them. Drag and other results are cleared. */
 void dem_body_batch_gather(struct dem_body_workspace *, const struct dem_particles *, size_t first,
-                           int rows, int spin);
+                           int rows, unsigned needs);
 
 /* Gather the fluid quantities at the particles. The impulse carried over from the last exchange is
    added to the force at the rate `over_window` [1/s], the inverse of the coupling window. */

@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "step/clump_batch.h"
 #include "step/neighbor_rebuild.h"
 #include "contacts/wall_rows.h"
 #include "core/memory.h"
@@ -179,12 +180,20 @@ static int insert_arrivals(struct dem_state *state)
     const size_t first = state->particles.n;
     const struct dem_body_sweep backward = {
         .kick = -0.5*state->dt,
+        .clumps = state->clumps.flow,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL}};
     struct dem_body_pass pass;
     double gravity[3];
 
-    const int status = dem_flows_insert(state);
+    int status = dem_flows_insert(state);
+
+    if (state->clumps.flow)
+    {
+        const int reserved = dem_clump_flow_reserve(state->clumps.flow, state->particles.n);
+
+        status = status ? status : reserved;
+    }
 
     dem_interaction_table_gravity(&state->interaction_table, gravity);
 
@@ -194,7 +203,7 @@ static int insert_arrivals(struct dem_state *state)
         dem_bodies_begin_pass(&pass, &state->particles, &state->interaction_table.bodies,
                               &backward);
         pass.next = first;
-        dem_bodies_work_until(&pass, state->particles.n);
+        dem_bodies_work_until(&pass, status ? first : state->particles.n);
         for (size_t i = first; dem_column(&state->particles, DEM_COLUMN_CLUMP) && i < state->particles.n; i++)
         {
             dem_clump_fall(&state->particles, i, gravity, -0.5*state->dt);
@@ -285,7 +294,7 @@ static int build_lists(struct dem_state *state, int status)
     dem_walls_wrap(&state->walls);
     status = hold_triangles(state, status);
     status = status ? status : dem_pairs_order(&state->pairs, &state->particles);
-    status = status ? status : dem_clumps_index(&state->clumps, &state->particles);
+    status = status ? status : dem_index_clumps(state);
     status = dem_halo_build(&state->halo, status, &state->particles, &state->domain,
                             state->pairs.max_radius, state->pairs.outer);
     status = status ? status

@@ -33,6 +33,7 @@
 #include "sources/flows.h"
 #include "step/body_window.h"
 #include "step/cell_motion.h"
+#include "step/clump_batch.h"
 #include "step/drift.h"
 #include "step/eddies.h"
 #include "step/limits.h"
@@ -229,6 +230,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *state, const 
         .applied = applied_forces(state),
         .time = state->time,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
+        .clumps = state->clumps.flow,
         .scalars = scalars};
 }
 
@@ -249,12 +251,9 @@ static int check_scalars(const struct dem_state *state, const struct dem_body_pa
 /* The velocities of rigid bodies, after the kick of the particles. */
 static void kick_clumps(struct dem_state *state, double kick)
 {
-    double gravity[3];
-
     if (state->clumps.n > 0)
     {
-        dem_interaction_table_gravity(&state->interaction_table, gravity);
-        dem_clumps_kick(&state->clumps, &state->particles, gravity, kick);
+        dem_kick_clumps(state, &state->particles, kick);
     }
 }
 
@@ -282,7 +281,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
         const struct dem_body_sweep half = {
             .kick = 0.5*state->dt, .window = state->window.length,
             .applied = pass->sweep->applied, .time = state->time,
-            .scalars = scalar_step(state, state->dt)};
+            .clumps = state->clumps.flow, .scalars = scalar_step(state, state->dt)};
 
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_SUMS);
         status = dem_step_backup_ahead(state, dem_unagreed_keep_error(&state->unagreed, status),
@@ -421,6 +420,7 @@ static void first_kick(struct dem_state *state, double kick)
                              .energy_balance = state->energy_balance->open
                                                    ? state->energy_balance
                                                    : NULL,
+                             .clumps = state->clumps.flow,
                              .scalars = scalar_step(state, 0.0)});
         kick_clumps(state, kick);
     }
@@ -465,6 +465,7 @@ static int make_steps(struct dem_state *state)
     state->window.half_step_ahead = state->steps - state->window.steps_before < state->window.steps;
     if (!state->window.half_step_ahead)
     {
+        dem_clump_flow_end_window(&state->clumps, &state->particles);
         dem_bodies_end_window(&state->particles, &state->domain, state->window.length);
         dem_scalars_end_window(&state->particles, &state->interaction_table);
     }
@@ -476,7 +477,7 @@ static int make_steps(struct dem_state *state)
 static int index_clumps(struct dem_state *state)
 {
     return dem_column(&state->particles, DEM_COLUMN_CLUMP)
-               ? dem_agree(state, dem_clumps_index(&state->clumps, &state->particles))
+               ? dem_agree(state, dem_index_clumps(state))
                : DEM_OK;
 }
 

@@ -5,6 +5,7 @@
  */
 #include "step/step_backup.h"
 #include "step/cell_motion.h"
+#include "step/clump_batch.h"
 #include "particles/domain.h"
 #include "ranks/agree.h"
 #include "records/wall_wear.h"
@@ -55,10 +56,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
         dem_sweep_bodies(&backup->particles, &state->interaction_table.bodies, half_kick);
         if (state->clumps.n > 0)
         {
-            double gravity[3];
-
-            dem_interaction_table_gravity(&state->interaction_table, gravity);
-            dem_clumps_kick(&state->clumps, &backup->particles, gravity, half_kick->kick);
+            dem_kick_clumps(state, &backup->particles, half_kick->kick);
         }
         dem_domain_constrain(&state->domain, &backup->particles);
     }

@@ -30,6 +30,7 @@
 #include "step/sweep_bodies.h"
 #include "core/math.h"
 #include "step/body_batch.h"
+#include "step/clump_batch.h"
 #include "step/parcel_forces.h"
 #include "step/sum_contacts.h"
 #include <string.h>
@@ -76,7 +77,7 @@ static void kick_without_drag(struct dem_body_workspace *restrict work, double h
 
 /* The kick with drag, and the impulses that are passed to the fluid. */
 static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles *particles,
-                          size_t first, int rows, double h)
+                          struct dem_clump_flow *clumps, size_t first, int rows, double h)
 {
     const int reacts = dem_column(particles, DEM_COLUMN_OTHER_IMPULSE) != NULL;
 
@@ -88,6 +89,10 @@ static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles 
     if (h < 0.0)
     {
         dem_body_batch_limit_backward_drag(work, particles, first, rows, h);
+    }
+    if (clumps)
+    {
+        dem_clump_batch_take(clumps, work, particles, first, rows);
     }
     kick_with_drag(work, h);
     dem_body_batch_sum_drag(work, particles, first, rows, h);
@@ -221,15 +226,18 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     struct dem_body_workspace *const work = &pass->workspace;
     const struct dem_body_sweep *const s = pass->sweep;
     const int fluid = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) != NULL;
+    const double over_window = s->window > 0.0 ? 1.0/s->window : 0.0;
     struct applied applied;
 
     forces_of_contacts(pass, first, rows);
-    dem_body_batch_gather(work, particles, first, rows,
-                          (pass->bodies->needs & DEM_NEEDS_SPIN) != 0);
+    dem_body_batch_gather(work, particles, first, rows, pass->bodies->needs);
     if (fluid)
     {
-        dem_body_batch_gather_fluid(work, particles, first, rows,
-                                    s->window > 0.0 ? 1.0/s->window : 0.0);
+        dem_body_batch_gather_fluid(work, particles, first, rows, over_window);
+    }
+    if (s->clumps)
+    {
+        dem_clump_batch_begin(s->clumps, work, particles, first, rows, over_window);
     }
     apply_effects(work, pass->bodies, s->energy_balance, pass->scalars);
     if (s->applied)
@@ -246,7 +254,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     }
     if (fluid)
     {
-        kick_in_fluid(work, particles, first, rows, s->kick);
+        kick_in_fluid(work, particles, s->clumps, first, rows, s->kick);
     }
     else
     {

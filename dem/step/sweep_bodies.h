@@ -9,6 +9,7 @@
 
 #include "particles/applied_forces.h"
 #include "contacts/contacts.h"
+#include "particles/clump_flow.h"
 #include "particles/particles.h"
 #include "laws/interaction_table.h"
 #include "step/body_batch.h"
@@ -37,6 +38,8 @@ struct dem_body_sweep    /* options of one sweep over all particles */
     double time;
     /* energy balance that sums the work; NULL: none */
     struct dem_energy_balance *energy_balance;
+    /* rigid bodies in a fluid, which are kicked after the sweep; NULL: none */
+    struct dem_clump_flow *clumps;
     /* particle scalars, integrated before the kick */
     struct dem_scalar_step scalars;
 };

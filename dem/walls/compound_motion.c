@@ -213,7 +213,7 @@ static const double *part_axis(const struct dem_motion_part *p)
     return p->motion.kind == DEM_MOTION_ROTATION || rate[3] > 0.0 ? p->motion.axis : NULL;
 }
 
-/* Of a body that rotates about all axes one that is not this coordinate axis. */
+/* An axis of the body; if it rotates about all, one that is not this coordinate axis. */
 static const double *body_axis(const struct dem_wall_body *b, int axis)
 {
     static const double unit[2][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};

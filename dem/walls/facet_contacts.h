@@ -177,7 +177,7 @@ static inline void dem_contact_blend(const struct dem_facet_contacts *c, size_t 
 }
 
 /* Mark first, drop afterwards: a contact may duplicate one that is a duplicate itself, down to the
-   nearest one of a curved surface. Of a contact that is dropped the distance becomes DBL_MAX. */
+   nearest one of a curved surface. A dropped contact has the distance DBL_MAX. */
 static inline void dem_contact_drop_duplicates(const struct dem_facet_contacts *c)
 {
     struct dem_wall_touch *const touch = c->touch;

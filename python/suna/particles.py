@@ -2,7 +2,7 @@
 forces.
 
 Memory of the library moves or goes with the next call that changes the simulation, while Python may
-keep an array for ever. So arrays are copies; those of a view hold the memory that they show
+keep an array for ever. So arrays are copies; arrays of a view hold the memory that they show
 (_core.py), and show the past once the simulation has gone on.
 
 SPDX-License-Identifier: GPL-3.0-or-later

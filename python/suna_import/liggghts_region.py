@@ -1,7 +1,7 @@
 """liggghts_region.py -- regions of LIGGGHTS: shapes for insertion, points inside, volume.
 
-The scene inserts in boxes, cylinders and spheres. Of the others (cone, prism, union, intersect,
-tetrahedra) only `contains` is used: a packing in one of them is placed by the importer
+The scene inserts in boxes, cylinders and spheres. The others (cone, prism, union, intersect,
+tetrahedra) need only `contains`: a packing in one of them is placed by the importer
 (liggghts_insertion.py).
 
 SPDX-License-Identifier: GPL-3.0-or-later

@@ -23,6 +23,7 @@ static inline void body_fill(struct dem_body_batch *b, int c, double diameter, d
 {
     b->radius[c] = 0.5*diameter;
     b->volume[c] = sphere_volume(diameter);
+    b->sphericity[c] = b->crosswise[c] = b->lengthwise[c] = 1.0;
     b->mass[c] = 2500.0*b->volume[c];
     b->vx[c] = b->vy[c] = b->vz[c] = 0.0;
     b->void_fraction[c] = e;

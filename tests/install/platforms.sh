@@ -39,7 +39,7 @@ platform()
     done
 }
 
-for compiler in gcc-12 clang-14 clang-15 clang-16
+for compiler in $(compgen -c | grep -xE 'gcc-1[2-9]|clang-(1[4-9]|2[0-9])' | sort -u)
 do
     OMPI_CC=$compiler platform $compiler $compiler ",mpirun -np 3"
 done

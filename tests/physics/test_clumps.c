@@ -525,11 +525,9 @@ static void refusals(void)
     refused("domain { min (0 0 0); max (0.02 0.02 0.02); flat (z); }", "", "domain/flat");
     refused("domain { min (0 0 0); max (0.0025 0.02 0.02); periodic (x); }", "max (0.0025 0.01 0.01);",
             "reaches its own image");
-    refused("effects { gidaspow { } } fluid { density 1; viscosity 1e-5; }", "", "gidaspow");
     refused("effects { rollingConstant { friction 0.1; } }", "", "rollingConstant resists the rotation");
     refused("effects { rollingViscous { time 1e-3; } }", "", "rollingViscous");
     refused("effects { twistingSpring { friction 0.1; } }", "", "twistingSpring");
-    refused("fluid { density 1; viscosity 1e-5; }", "", "shapes: fluid does not work");
     refused("", "spin (0 0 1e6);", "the limit is 0.3 rad");
     refused("averages { a { min (0 0 0); max (1 1 1); cells (1 1 1); interval 1; } }", "", "averages");
 }

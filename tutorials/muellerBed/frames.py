@@ -43,12 +43,24 @@ def list_frames(case):
     return listed
 
 
+# Spheres of a seed overlap: diameters times this have its volume, (0.6^3/(0.53446^3 + 2*0.45429^3))^(1/3)
+SEED = 0.8595
+
+
+def spheres_each(case):
+    """3 for seeds, 1 for spheres."""
+    options = Path(case)/"system"/"options"
+    return 3 if options.exists() and "seeds yes" in options.read_text() else 1
+
+
 def read_frame(path, at):
-    """Positions [m], velocities [m/s] and diameters [m] of all beads."""
+    """Positions [m], velocities [m/s] and diameters [m] of all beads, or of the spheres of seeds."""
     with open(path, "rb") as file:
         file.seek(at)
         count = numpy.fromfile(file, HEAD, 1)[0]["count"]
         beads = numpy.fromfile(file, BEAD, count)
+    if spheres_each(Path(path).parents[3]) > 1:
+        beads["diameter"] *= SEED
     return tuple(beads[name].astype(float) for name in ("position", "velocity", "diameter"))
 
 

@@ -34,13 +34,14 @@ MEASURED = {"static height 2 <z>": "30", "void fraction over the height": "0.367
 
 
 def packing(case):
-    """Height [m], void fraction over it and inside, volume of the beads [m3], diameter of one [m]."""
+    """Height [m], void fraction over it and inside, volume of the beads [m3], mean diameter by volume [m]."""
     position, _, diameter = frames.read_frame(*frames.list_frames(case)[0][1:])
     volume = (numpy.pi/6*diameter**3).sum()
     height = 2*position[:, 2].mean()
     inside = averages.solid_volume(position, 0.5*diameter, numpy.array([0, WIDTH]), *INSIDE)[0]
     box = WIDTH*DEPTH*(INSIDE[1] - INSIDE[0])
-    return height, 1 - volume/(WIDTH*DEPTH*height), 1 - inside/box, volume, diameter.mean()
+    mean = (6/numpy.pi*volume*frames.spheres_each(case)/len(diameter))**(1/3)
+    return height, 1 - volume/(WIDTH*DEPTH*height), 1 - inside/box, volume, mean
 
 
 def ergun(e, d, air, nu, beads):

@@ -15,8 +15,8 @@
  *                                               < 0
  *
  * Where the partners are apart, or a bond replaces the contact, the spring is reset: k', xi' and F
- * are 0. Of the energy k xi^2/2 of the last step the part is dissipated that has not become work of
- * the last drift, which ended with no force: half of k xi.s dt.
+ * are 0. The energy k xi^2/2 of the last step is dissipated, less the work of the last drift, which
+ * ended with no force: half of k xi.s dt.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

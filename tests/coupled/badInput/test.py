@@ -104,7 +104,7 @@ slips = [                                             # what, sentence, changes
      before("insert", "forces { pull { ids (0); force (0 0 1e-3); } }")),
     ("stages", "the scene has stages, or walls with from or until, which a coupled run",
      before("insert", "stages { fill { duration 1; } rest {} }")),
-    ("clumps", "shapes: .*gravity alone acts on clumps",
+    ("clumps with added mass", "shapes: .*virtualMass acts on single spheres", ("pressureGradient {}", r"\g<0> virtualMass {}"),
      before("insert", "shapes { pair { spheres ((0 0 0 1e-4) (1e-4 0 0 1e-4)); } }")),
     ("an unknown set of equations", 'unknown equations "?IV', coupling("equations IV;")),
     ("equations of a fluid that feels nothing", "equations says how the fluid feels.*twoWay no",

@@ -1,0 +1,70 @@
+/*
+ * clump_flow.h -- rigid bodies of several spheres in a fluid: shares of its forces, the kick with drag,
+ * impulses on the fluid.
+ *
+ * The laws of the fluid act on the volume-equivalent sphere of the body in the fluid at each sphere of
+ * it, and the sphere takes its share w_k of the force (clump_shape.h). So in a fluid that is the same
+ * at all spheres the body has the force of the law, and spheres that see another slip than the body,
+ * because it turns or the flow is sheared, turn it.
+ *
+ *   D   = sum d_k,  d_k = b_k (u_k - v_k),  B = sum b_k,  z = B h/M
+ *   v'  = v + phi(z) h/M (F + D)            phi(z) = (1 - exp(-z))/z
+ *   J_k = h (phi d_k - (1 - phi) b_k/B F)   sum J_k = M (v' - v) - h F
+ *   L'  = L + h phi(z_r) (T + sum R r_k x (f_k + d_k) + sum t_k (o_k - w))
+ *   z_r = h (sum b_k r_k^2 + sum t_k)/I_min
+ *
+ *   b_k, u_k   w_k times the drag coefficient of the law, fluid velocity               [kg/s], [m/s]
+ *   v_k        velocity of sphere k                                                    [m/s]
+ *   F, f_k     all forces but drag; those of sphere k besides contacts                 [N]
+ *   T          moment of the contacts about the centre                                 [N m]
+ *   t_k, o_k   w_k times the rotational drag coefficient, its target      [kg m2/s], [1/s]
+ *   J_k        impulse of drag on sphere k, whose opposite acts on the fluid           [N s]
+ *
+ * As for spheres (step/sweep_bodies.c) the kick is bounded for any h, and exact if only the body moves.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_PARTICLES_CLUMP_FLOW_H
+#define DEM_PARTICLES_CLUMP_FLOW_H
+
+#include "particles/clump.h"
+#include "particles/clump_form.h"
+
+/* what the fluid does to a sphere of a body in this kick, by its share */
+struct dem_clump_flow_row
+{
+    double share;                     /* 1 */
+    double drag, particle_drag;       /* kg/s  b_k; without the slip factor */
+    double slip_force[3];             /* N  d_k */
+    double force[3], reaction[3];     /* N  f_k; part of it whose opposite acts on the fluid */
+    double spin_drag, spin_torque[3]; /* kg m2/s  t_k; N m */
+};
+
+struct dem_clump_flow
+{
+    const struct dem_clump_shapes *shapes;
+    struct dem_clump_form *form;      /* of each shape */
+    struct dem_clump_flow_row *row;   /* of each particle, valid for bodies in a kick */
+    size_t capacity;
+};
+
+/* `areas` 1: a law takes projected areas. To be freed also after a failure. */
+int dem_clump_flow_begin(struct dem_clump_flow *, const struct dem_clump_shapes *, int areas);
+void dem_clump_flow_free(struct dem_clump_flow *);
+
+/* Rows for n particles. */
+int dem_clump_flow_reserve(struct dem_clump_flow *, size_t n);
+
+/* The form of the body that a particle belongs to. */
+const struct dem_clump_form *dem_clump_flow_form(const struct dem_clump_flow *,
+                                                 const struct dem_particles *, size_t i);
+
+/* dem_clumps_kick in a fluid: the bodies by their rows, and the columns of impulses on the fluid. */
+void dem_clump_flow_kick(const struct dem_clump_flow *, const struct dem_clumps *,
+                         struct dem_particles *, double h);
+
+/* At the end of a window: decay factors of the spheres, from those of their bodies, so that the
+   response of a body (step/body_window.c) is the sum over its spheres. */
+void dem_clump_flow_end_window(const struct dem_clumps *, struct dem_particles *);
+
+#endif

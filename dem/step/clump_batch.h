@@ -1,0 +1,31 @@
+/*
+ * clump_batch.h -- spheres of rigid bodies in a batch of particles in a fluid (particles/clump_flow.h).
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_STEP_CLUMP_BATCH_H
+#define DEM_STEP_CLUMP_BATCH_H
+
+#include "particles/clump_flow.h"
+#include "ranks/dem_state.h"
+#include "step/body_batch.h"
+
+/* Before the effects: radius, mass, volume and form of rows that belong to a body become those of its
+   volume-equivalent sphere; forces so far are set aside. `over_window` as in
+   dem_body_batch_gather_fluid. */
+void dem_clump_batch_begin(struct dem_clump_flow *, struct dem_body_workspace *,
+                           const struct dem_particles *, size_t first, int rows, double over_window);
+
+/* After the effects and the slip factor: take the shares of their results out of the batch, so that the
+   kick of the batch leaves these rows as they are. */
+void dem_clump_batch_take(struct dem_clump_flow *, struct dem_body_workspace *,
+                          const struct dem_particles *, size_t first, int rows);
+
+/* Before the sweeps: list the spheres of the bodies (dem_clumps_index), room for their forces. */
+int dem_index_clumps(struct dem_state *);
+
+/* After the sweep over all particles, the kick over h [s] of the bodies: with or without a fluid. The
+   particles are those of the state or of its backup. */
+void dem_kick_clumps(const struct dem_state *, struct dem_particles *, double h);
+
+#endif

@@ -1,0 +1,149 @@
+"""Rigid bodies of several spheres (clumps) in a fluid.
+
+- In a periodic box of liquid: the exchange closes, momentum and the volume of the unions are kept, in steps that change,
+  with a restart and on two ranks; by function object in pisoFoam, too.
+- A body of one sphere moves as the sphere.
+- A lattice of heavy pairs of spheres in a duct: the pressure drop is n b U/e^2 of Hoelzer and Sommerfeld's law with the
+  sphericities of two touching spheres, in flow along their axes and across them.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from case import *
+
+pi = math.pi
+
+# ---- a periodic box ----------------------------------------------------------------------------------
+
+scene = """
+materials { glass { density 2500; youngsModulus 1e5; poissonsRatio 0.3; } }
+effects { hertz {} dry { restitution 0.9; } mindlin { friction 0.3; } hoelzerSommerfeld {} pressureGradient {}
+          viscousTorque {} }
+shapes { bent { spheres ((0 0 0 4e-4) (4.8e-4 0 0 3.2e-4) (4.8e-4 4e-4 0 2.4e-4)); } }
+insert
+{
+    up   { type lattice; shape bent; count 120; seed 3; velocity (0.05 0 0.1); spin (50 0 0);
+           min (0 0 0); max (0.012 0.012 0.006); }
+    down { type lattice; shape bent; count 120; seed 4; velocity (0 -0.1 0); min (0 0 0.006); max (0.012 0.012 0.012); }
+}
+coupling { rho 1000; kernel diffusion; }
+"""
+
+
+def box(name, scene):
+    """The mesh of the momentum test with this scene."""
+    case = Case(name, "momentum")
+    case.copy("shared/system/fvSolution", "system/fvSolution.shared")
+    case.sub("system/controlDict", "(?s)^functions.*", "")
+    case.edit("system/controlDict", endTime=0.03, writeInterval=0.015)
+    case.dictionary("constant/demProperties", scene)
+    case.run("blockMesh")
+    return case
+
+
+def exchanged(what, case, command="demPimpleFoam"):
+    log = case.log(command)
+    total, particles = case.vectors("sum", "momentum", command), case.vectors("particles", "momentum", command)
+    size = np.linalg.norm(particles[0])
+    claim(f"{what}: exchange closes", worst(log, "exchange error") < 1e-12)
+    claim(f"{what}: volume is kept", worst(log, "volume error") < 1e-12)
+    claim(f"{what}: bodies lose a third of their momentum to the liquid", np.linalg.norm(particles[-1]) < size*2/3)
+    claim(f"{what}: total momentum is kept",
+          len(total) > 20 and np.linalg.norm(total - total[0], axis=1).max() < 1e-12*size)
+
+
+def end(case):
+    return case.particles("0.03", "positions", "U"), case.field("0.03/U")
+
+
+what = "240 bodies"
+case = box("box", scene)
+case.edit("system/controlDict", adjustTimeStep="yes", writeControl="adjustableRunTime", maxCo=0.3, maxParticleCo=0.04, maxDeltaT=0.001)
+case.run("demPimpleFoam")
+claim_ran(f"{what}: runs", case)
+exchanged(what, case)
+steps = case.numbers("^deltaT = (.*)")
+claim(f"{what}: steps change", np.ptp(steps) > 0.05*steps.max(), np.ptp(steps)/steps.max())
+V = 1.728e-6/216
+solid = (V*(1 - case.field("0.03/voidFraction"))).sum()
+mass = case.field("0.03/lagrangian/particles/mass").sum()
+claim(f"{what}: the cells have the volume of the unions", close(solid, mass/2500, 1e-12))
+spheres = 240*4/3*pi*(4e-4**3 + 3.2e-4**3 + 2.4e-4**3)
+claim(f"{what}: which is less than the sum of the spheres", 0.6 < solid/spheres < 0.95, solid/spheres)
+alone = end(case)
+(case/"0.03").rename(case/"straight")
+case.run("demPimpleFoam")
+claim(f"{what}: continued from 0.015 s, the same bits", all(map(np.array_equal, alone, end(case))))
+case.remove("0.*")
+case.run("decomposePar")
+case.run("demPimpleFoam", ranks=2)
+claim_ran(f"{what}: runs on two ranks", case)
+exchanged(f"{what} on two ranks", case)
+case.run("reconstructPar", "-latestTime")
+claim(f"{what}: two ranks, the same positions and velocities (m, m/s)", difference(alone[0], end(case)[0]) < 1e-8)
+
+# ---- by function object ------------------------------------------------------------------------------
+
+case = Case("pisoFoam", "solvers")
+case.sub("system/fvSolution", "^relaxationFactors.*\n", "")
+case.sub("system/fvSolution", "nCorrectors [^;]*", "nCorrectors 8")
+case.edit("system/controlDict", endTime=0.03, writeInterval=0.03)
+case.write("constant/particles", """
+shapes { pair { spheres ((0 0 0 5e-4) (6e-4 0 0 4e-4)); } }
+insert { thrown { type random; shape pair; count 150; seed 7; velocity (0.1 0 0); min (0 0 0.01); max (0.02 0.02 0.03); } }
+coupling { rho 1000; }
+""")
+case.run("blockMesh")
+case.run("pisoFoam")
+claim_ran("pisoFoam: runs", case, "pisoFoam")
+total = case.vectors("sum", "momentum", "pisoFoam")[:, 0]
+claim("pisoFoam: exchange closes", worst(case.log("pisoFoam"), "exchange error") < 1e-12)
+claim("pisoFoam: momentum along the box is kept", len(total) > 10 and largest(total/total[0] - 1) < 1e-11)
+
+# ---- a body of one sphere ----------------------------------------------------------------------------
+
+ends = []
+for what in ("diameter 8e-4;", "shape one;"):
+    case = box(what.split()[0], scene.replace("(4.8e-4 0 0 3.2e-4) (4.8e-4 4e-4 0 2.4e-4)", "").replace("bent", "one")
+               .replace("shape one;", what).replace("shapes { one { spheres ((0 0 0 4e-4) ); } }",
+                                                    "" if "diameter" in what else
+                                                    "shapes { one { spheres ((0 0 0 4e-4)); } }"))
+    case.edit("system/controlDict", endTime=0.015)
+    case.run("demPimpleFoam")
+    claim_ran(f"{what} runs", case)
+    ends.append((case.particles("0.015", "positions", "U"), case.field("0.015/U")))
+claim("a body of one sphere moves as the sphere (m, m/s)", difference(ends[0][0], ends[1][0]) < 1e-10)
+claim("and so does the liquid", difference(ends[0][1], ends[1][1]) < 1e-10)
+
+# ---- pressure drop -----------------------------------------------------------------------------------
+
+R, U, rho, nu, width = 4e-4, 1.0, 1.2, 1.5e-5, 1.6e-3
+d = 2*R*2**(1/3)
+e = 1 - 8/3*pi*R**3/width**3
+phi, disc, half = 2**(2/3)/2, pi/4*d**2, 4*pi*R**2
+
+
+def drop(A, A_l):
+    """Of Hoelzer and Sommerfeld's law at these projected areas, with Di Felice's power [Pa/m]."""
+    Re = U*d/nu
+    Cd = (8/Re/math.sqrt(disc/(half - A_l)) + 16/Re/math.sqrt(phi) + 3/math.sqrt(Re)/phi**0.75
+          + 0.42*10**(0.4*(-math.log10(phi))**0.2)*A/disc)
+    chi = 3.7 - 0.65*math.exp(-0.5*(1.5 - math.log10(Re))**2)
+    return 0.5*rho*U**2*Cd*disc/width**3*e**(-1 - chi)
+
+
+for name, turn, areas in (("along", "0.70710678118654752 0 0.70710678118654752 0", (pi*R**2, 2*pi*R**2)),
+                          ("across", "1 0 0 0", (2*pi*R**2, R**2*(1.5*pi + 2/pi)))):
+    case = Case(name)
+    case.controls(0.02, 1e-3, nu=nu)
+    case.duct((3*width, 3*width, 16*width), (3, 3, 16), U, U)
+    case.properties("heavy { density 1e9; youngsModulus 1e5; }", "hertz {} hoelzerSommerfeld {} pressureGradient {}",
+                    f"bed {{ type lattice; shape pair; count 144; spacing 1; jitter 0; orientation ({turn});"
+                    f" min (0 0 0); max ({3.00001*width} {3.00001*width} {16.00001*width}); }}", f"rho {rho};",
+                    f"shapes {{ pair {{ spheres ((-{R} 0 0 {R}) ({R} 0 0 {R})); }} }}")
+    case.run("demPimpleFoam")
+    claim_ran(f"flow {name}: runs", case)
+    p = rho*case.field("0.02/p").reshape(16, 9).mean(1)
+    found = (p[4] - p[12])/(8*width)
+    # the table of areas, 3e-3; upwind cells
+    claim(f"flow {name}: {found:.4g} Pa/m", close(found, drop(*areas), 5e-3), drop(*areas))
+finish()
