@@ -176,9 +176,7 @@ class Simulation(Editing, Output):
         totals = ffi.new("struct dem_totals *")
         with self._set_up() as d:
             check(lib.dem_totals(d, totals))
-        return {name: numpy.array(list(value)) if isinstance(value, ffi.CData) else value
-                for name, value in ((name, getattr(totals, name))
-                                    for name, _ in ffi.typeof("struct dem_totals").fields)}
+        return _fields(totals)
 
     @property
     def time(self) -> float:
@@ -280,6 +278,15 @@ class Simulation(Editing, Output):
             values = numpy.empty((view.n, 6))
             check(lib.dem_virial(d, ffi.from_buffer("double[]", values)))
         return values
+
+    @property
+    def cell(self) -> dict[str, Any]:
+        """The scene's domain/cell as it is now, as a dict: length [m], rate [1/s], stress [Pa], fabric, solid, ... Six
+        values are xx yy zz xy yz zx, tension positive. Collective."""
+        now = ffi.new("struct dem_cell_now *")
+        with self._set_up() as d:
+            check(lib.dem_cell(d, now))
+        return _fields(now)
 
     def total(self, name: str) -> float:
         """The sum over all particles of capacity times the particle scalar, e.g. the heat of
@@ -383,6 +390,12 @@ def _run(duration):
     info = ffi.new("struct dem_run_info *")
     info.duration = number("duration", duration)
     return info
+
+
+def _fields(struct):
+    """A struct as a dict; its arrays as arrays"""
+    return {name: numpy.array(list(value)) if isinstance(value, ffi.CData) else value
+            for name, value in ((name, getattr(struct, name)) for name, _ in ffi.typeof(struct).item.fields)}
 
 
 def _arrays(records, n, names):

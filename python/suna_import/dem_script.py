@@ -156,6 +156,9 @@ class DemScript:
 
     def find_densities(self):
         found = {}
+        for clump in (t for i in self.state["insertions"] for t in i.distribution.templates if t.shape):
+            self.refuse(clump.place, "particletemplate/multisphere", "clumps of a coupled case are not translated; "
+                        "write shapes in constant/demProperties")
         rows = [(t.type, t.density, t.place) for i in self.state["insertions"]
                 for t in i.distribution.templates]
         p = self.state["particles"]

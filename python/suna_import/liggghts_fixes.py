@@ -37,7 +37,7 @@ LOST = {                        # output that no entry of the scene writes: what
     "massflow/mesh/face": "averages in a region have the mean velocity"}
 LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
            ("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
-           ("chem/", "Suna has no chemistry"), ("multisphere", "clumps are not translated: write shapes"),
+           ("chem/", "Suna has no chemistry"), ("multisphere/", "clumps with this are not translated: write shapes"),
            ("particletemplate/", "spheres only are translated"),
            ("nve/", "Suna has spheres, integrated by themselves"),
            ("sph/", "Suna has no smoothed particle hydrodynamics"),
@@ -62,7 +62,8 @@ LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or 
            ("insert/pack/", "use insert/pack with a region"),
            ("pour", "use insert/pack or insert/stream, which replaced it"))
 PAIRS = ("peratomtypepair", "atomtypepair", "matrix")
-INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical")
+INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical",
+               "multisphere")
 KINDS = {
     "youngsModulus": "pressure",
     "characteristicVelocity": "velocity",

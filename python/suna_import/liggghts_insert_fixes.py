@@ -7,8 +7,9 @@ import math
 
 import numpy
 
+from . import liggghts_clumps
 from .liggghts_insertion import Distribution, Insertion, Template
-from .scene_text import as_name
+from .scene_text import as_name, vector
 
 AMOUNTS = {                     # attribute of Insertion, kind of number
     "volumefraction_region": ("fraction", "number"),
@@ -161,8 +162,12 @@ def spin(t, i, rest):
 
 
 def orientation(t, i, rest):
-    t.harmless("spheres", "orientation")
-    return rest[5:] if rest[0] == "constant" else rest[1:]
+    """Of clumps; spheres have none."""
+    if rest[0] != "constant":
+        i.orientation = "" if rest[0] == "random" else i.orientation
+        return rest[1:]
+    i.orientation = f" orientation {vector(t.numbers(rest[1:5]))};"
+    return rest[5:]
 
 
 def set_property(t, i, rest):
@@ -197,6 +202,8 @@ MORE_WORDS = {"vel": velocity, "omega": spin, "orientation": orientation,
 def check(t, i):
     if i.distribution is None:
         t.refuse("distributiontemplate is missing")
+    if len({bool(template.shape) for template in i.distribution.templates}) > 1:
+        t.refuse("spheres and clumps in one distribution; give each an insertion of its own", f"fix {i.fix}")
     if i.style == "stream" and i.face is None:
         t.refuse("insertion_face is missing")
     if i.style != "stream" and i.region is None:
@@ -210,6 +217,7 @@ def check(t, i):
 
 METHODS = {
     "particletemplate/sphere": template,
+    "particletemplate/multisphere": liggghts_clumps.template,
     "particledistribution/discrete": distribution(True),
     "particledistribution/discrete/massbased": distribution(True),
     "particledistribution/discrete/numberbased": distribution(False),

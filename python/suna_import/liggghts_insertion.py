@@ -40,6 +40,7 @@ class Template:
     style: str              # constant, uniform, gaussian, lognormal
     radius: tuple           # of the style
     place: object
+    shape: str = ""         # of a clump: liggghts_clumps.py
 
     def mean_cube(self):
         """E[r^3]"""
@@ -83,8 +84,8 @@ class Distribution:
         """(type, density), its fraction of the number, its part of the distribution."""
         found = {}
         for template, weight in zip(self.templates, self.weights):
-            found.setdefault((template.type, template.density), []).append((template, weight))
-        return [(key, sum(w for _, w in rows), Distribution(
+            found.setdefault((template.type, template.density, template.shape), []).append((template, weight))
+        return [(key[:2], sum(w for _, w in rows), Distribution(
             [t for t, _ in rows], [w for _, w in rows])) for key, rows in found.items()]
 
     def by_size(self):
@@ -102,6 +103,8 @@ class Distribution:
 
     def sizes(self):
         """Entries of a group."""
+        if self.templates[0].shape:
+            return f"shape {self.templates[0].shape};"
         if all(t.style == "constant" for t in self.templates):
             if len({t.radius for t in self.templates}) == 1:
                 return f"diameter {text(2*self.templates[0].radius[0])};"
@@ -161,6 +164,7 @@ class Insertion:
     off_border: bool = True         # a radius away from the faces of the box
     temperature: float = 0.0        # K; 0: as in fix heat/gran
     scalars: str = ""               # entries of particle scalars
+    orientation: str = " orientation (1 0 0 0);"        # of clumps
 
     # ---- amounts ---------------------------------------------------------------------------------
 
@@ -178,7 +182,7 @@ class Insertion:
                           f"{space:.4g} m3; check the amount, the radius and the region")
         parts = self.distribution.by_size()
         wanted = split(max(1, round(n)), [share for _, share, _ in parts])
-        if n*one < SAFE*space:
+        if n*one < SAFE*space or self.has_clumps():
             return wanted
         radii = [part.mean(Template.mean_cube)**(1/3) for _, _, part in parts]
         corners = None if box is None or not self.off_border else numpy.array(box).T
@@ -192,6 +196,9 @@ class Insertion:
                 "spheres in place, the largest ones first: these are inserted; give count in the "
                 "scene for all of them (up to a solid fraction of 0.55)")
         return placed
+
+    def has_clumps(self):
+        return any(t.shape for t in self.distribution.templates)
 
     def refill_rate(self, number, gravity):
         """1/s, see the head of this file."""
@@ -208,7 +215,7 @@ class Insertion:
     # ---- entries of the scene --------------------------------------------------------------------
 
     def motion(self):
-        found = ""
+        found = self.orientation if self.has_clumps() else ""
         if self.velocity.any():
             found += f" velocity {vector(self.velocity)};"
         if self.spin.any():

@@ -24,6 +24,8 @@ class Groups:
     def add_insert(self):
         if not self.restart:
             self.add_particles()
+        for clump in {t.shape: t for i in self.insertions for t in i.distribution.templates if t.shape}.values():
+            self.scene.add("shapes", f"{clump.shape} {{ {clump.entry()} }}", clump.place)
         for i in self.insertions:
             heat = self.state["heat"]
             i.scalars = f" temperature {text(i.temperature or heat.temperature)};" if heat else ""
@@ -123,6 +125,9 @@ class Groups:
         return i.end if i.end < self.end else math.inf
 
     def scatter(self, i, number):
+        if i.has_clumps():
+            self.refuse(i.place, f"region {i.region.style}", "clumps are inserted in a block, cylinder or sphere; use "
+                        "one of these")
         placed = scatter(i, number)
         if len(placed) < number:
             self.report.approximated(i.place, "insert/pack",

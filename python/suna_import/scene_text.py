@@ -27,7 +27,7 @@ class Names:
 
 class SceneText:
     """Sections in the order of the manual, each entry with the lines that it comes from."""
-    ORDER = ("materials", "effects", "pairs", "walls", "domain", "insert", "start", "outlets", "forces",
+    ORDER = ("materials", "effects", "pairs", "shapes", "walls", "domain", "insert", "start", "outlets", "forces",
              "fluid", "time", "coupling", "write")
 
     def __init__(self):

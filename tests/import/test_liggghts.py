@@ -644,8 +644,32 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     assert abs(mass - 1e-5) < 1.01*2500*one, mass        # to one particle
     refused(stream.replace("vel uniform 0 0 -1 0.1 0 0 ", ""), "vel", "need a velocity",
             face__stl=face)
-    refused(BASE.replace("particledistribution/discrete", "particletemplate/multisphere"),
+    refused(BASE.replace("particledistribution/discrete", "particletemplate/superquadric"),
             "spheres only")
+
+
+def clumps():
+    """multispheres become shapes: the mass of the union, the orientation, the centre's path"""
+    line = next(row for row in BASE.splitlines() if row.startswith("fix pts"))
+    nut = ("fix pts all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 2 ntry 100000 "
+           "spheres 0 0 0 0.0005 0.0005 0 0 0.0005 type 1")
+    script = BASE.replace(line, nut).replace("nve/sphere", "multisphere").replace("region 100", "region 20")
+    scene, _ = translate(script)
+    has(scene, "shapes { pts { spheres ((0 0 0 0.0005) (0.0005 0 0 0.0005)); } }",
+        "count 20; material type1; shape pts;", "orientation (1 0 0 0);")
+    state = run()
+    # two spheres whose centres are a radius apart: 27/16 of one
+    one = 2500*4/3*math.pi*0.0005**3
+    assert abs(column(state, "mass").sum()/(27/16*one*20) - 1) < 1e-3, column(state, "mass")
+    by_file = nut.replace("spheres 0 0 0 0.0005 0.0005 0 0 0.0005", "spheres file nut.txt scale 0.5")
+    has(translate(script.replace(nut, by_file).replace("all_in yes", "all_in yes orientation random"),
+                  nut__txt="0 0 0 0.001\n0.001 0 0 0.001  # two\n")[0],
+        "spheres ((0 0 0 0.0005) (0.0005 0 0 0.0005));")
+    refused(script.replace(nut, by_file.replace("nspheres 2", "nspheres 3")), "8 numbers are not x y z r of 3 spheres",
+            nut__txt="0 0 0 0.001\n0.001 0 0 0.001\n")
+    refused(script.replace("ntry 100000", "inertia_tensor 1"), "mass and inertia of the spheres' union")
+    both = script.replace(nut, f"{nut}\n{line.replace('pts', 'ball')}").replace("1 pts 1.0", "2 pts 0.5 ball 0.5")
+    refused(both, "spheres and clumps in one distribution")
 
 
 def placed():
@@ -759,7 +783,7 @@ def domain_and_output():
     has(translate(BASE.replace("run 1000", "fix v all viscous 1e-6\nrun 1000"))[0],
         f"stokesDrag {{}} ".strip(), f"viscosity {1e-6/(3*math.pi*1e-3):.12g};")
     for fix, lacking in (("heat/gran/radiation", "no such heat"),
-                         ("multisphere", "write shapes"),
+                         ("multisphere/advanced", "write shapes"),
                          ("adapt 1 atom diameter v_d", "keeps the size"),
                          ("nve/superquadric", "spheres"),
                          ("something/new", "does " "not know this fix")):
@@ -891,7 +915,7 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
 TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls, names, belt,
          other_meanings, lost_output, series,
-         restart_files, insertion, placed, shapes, single_particles, domain_and_output, heat,
+         restart_files, insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, stored, conduction]
 
 

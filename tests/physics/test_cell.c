@@ -140,6 +140,29 @@ static void test_strength(void)
     dem_free(d);
 }
 
+/* Three stresses are held while the packing is sheared across [100] and [010], the axes of the principal stresses
+   p + s and p - s. It fails at p + s = (1 + mu)/(1 - mu) (p - s + p), Thornton's strength: s = (1 + 3 mu)/2 p. */
+static void test_shear_strength(void)
+{
+    struct dem *const d = fcc("xx { stress -100; } yy { stress -100; } zz { stress -100; } xy { rate 0.05; } maxRate 2;", 0);
+    struct dem_cell_now c;
+    double held = 0.0, shear = 0.0;
+
+    for (int k = 0; k < 50; k++)
+    {
+        world_run(d, 0.002);
+        WORLD_TRY(dem_cell(d, &c));
+        for (int a = 0; a < 3 && k > 10; a++)
+        {
+            held = fmax(held, fabs(c.stress[a]/-pressure - 1.0));
+        }
+        shear = fmax(shear, c.stress[3]/pressure);
+    }
+    TAP_OK(held < 2e-3, "normal stresses along three axes are held to %.2g in simple shear", held);
+    TAP_OK(fabs(shear/0.95 - 1.0) < 0.01, "a packing in simple shear fails at %.4f of them, (1 + 3 mu)/2 = 0.95", shear);
+    dem_free(d);
+}
+
 /* ---- simple shear ---------------------------------------------------------------------------- */
 
 static double nearest(double x, double length)
@@ -304,6 +327,7 @@ int main(void)
     world_make_file(file);
     test_flow();
     test_strength();
+    test_shear_strength();
     test_shear_flow();
     test_copies();
     test_bits("two stresses", gas);

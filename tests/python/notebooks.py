@@ -46,7 +46,18 @@ def drum():
     assert abs(found["power"]/found["supplied"] - 1) < 0.01, (found["power"], found["supplied"])
 
 
+def triaxial():
+    """triaxial: side stresses are held; the strength does not depend on them; a dense packing dilates and softens"""
+    found = run("triaxial")
+    for pressure, (_, _, volumetric, side) in found["results"].items():
+        assert abs(side[len(side)//4:].mean()/pressure - 1) < 0.01, (pressure, side)
+        assert volumetric[-1] > 0.02, volumetric
+    peak, residual = found["peak"], found["residual"]
+    assert abs(peak[1] - peak[0]) < 2 and abs(residual[1] - residual[0]) < 2, (peak, residual)
+    assert min(peak) > max(residual) + 2 and 18 < residual[0] < 26, (peak, residual)
+
+
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
-    run_tests(repose, oedometer, drum)
+    run_tests(repose, oedometer, drum, triaxial)
     finish()
