@@ -14,8 +14,11 @@ namespace Foam
 
 using constant::mathematical::pi;
 
-//- Numbers of a particle in the column own_wake: wake, two memories, own part of e
+//- Numbers of a particle in the column own_wake: wake, two memories, r - 1, e less the cells'
 static const label width = DEM_OWN_WAKE_WIDTH;
+
+//- Limits of the slip of the law over the slip of the exchange
+static const scalar minRatio = 0.5, maxRatio = 2;
 
 //- xi: longitudinal part of q; 0.17 for linear, up to 1/3 for kernels so wide that V q is small
 static const scalar longitudinal = 0.17;
@@ -86,7 +89,8 @@ Foam::vector Foam::demOwnWake::wake(const label i) const
 
 Foam::vector Foam::demOwnWake::slip(const label i) const
 {
-    return vectorAt(fluid_.velocity, i) - wake(i) - velocity(view_, i);
+    const vector law(vectorAt(fluid_.velocity, i) - wake(i) - velocity(view_, i));
+    return law/(1 + fluid_.own_wake[width*i + DEM_OWN_WAKE_DRAG]);
 }
 
 
@@ -94,7 +98,8 @@ Foam::scalar Foam::demOwnWake::reynolds(const label i, const scalar b) const
 {
     const scalar speed = mag(slip(i));
     const scalar R = speed*b*fluid_.density[i]/viscosity_[i];
-    const scalar carried = min(1, mag(wake(i))/(speed + VSMALL));
+    const vector w(vectorAt(fluid_.velocity, i) - velocity(view_, i) - slip(i));
+    const scalar carried = min(1, mag(w)/(speed + VSMALL));
     return R*(1 - 0.5*carried*R/(1 + R));
 }
 
@@ -145,17 +150,18 @@ Foam::demOwnWake::demOwnWake(const demParticles& particles)
     particles_(particles),
     view_(particles.view()),
     fluid_(particles.fluid()),
-    reads_(0)
+    reads_(0),
+    wakes_
+    (
+        particles.dict().coupling().getOrDefault("ownWake", false)
+     && particles.mesh().nGeometricD() == 3
+    )
 {}
 
 
 void Foam::demOwnWake::prepare(const bool wholeDrag)
 {
-    if
-    (
-        particles_.dict().coupling().getOrDefault("ownWake", false)
-     && particles_.mesh().nGeometricD() == 3
-    )
+    if (wakes_ || particles_.transfer().lawWidth() > 0)
     {
         dem_case_fluid_own_wake(particles_.described());
     }
@@ -166,28 +172,61 @@ void Foam::demOwnWake::prepare(const bool wholeDrag)
 }
 
 
-void Foam::demOwnWake::toParticles()
+void Foam::demOwnWake::toParticles(const volScalarField& e)
 {
     if (!fluid_.own_wake || particles_.window() <= 0)      // the plan, before the first step
     {
         return;
     }
-    const bool wakes = particles_.twoWay() && particles_.interval() <= 0;
-    const scalarField& q = particles_.transfer().ownWeights();
-    const scalarField own(volumes(view_)*q/grains());
+    const demTransfer& transfer = particles_.transfer();
+    const bool twoWay = particles_.twoWay() && particles_.interval() <= 0;
+    const bool narrow = transfer.lawWidth() > 0;
+    const scalarField volume(volumes(view_)/grains());
+    const scalarField& q = transfer.ownWeights();
+    const scalarField own(volume*q);
+    const scalarField ownRead(volume*(narrow ? transfer.ownLawWeights() : q));
+    const scalarField solid(narrow ? transfer.sampleSolidForLaw() : tmp<scalarField>(new scalarField));
+    const scalarField inverse
+    (
+        narrow && twoWay && reads_
+      ? transfer.sample(scalarField(1/e.primitiveField()))
+      : tmp<scalarField>(new scalarField)
+    );
 
     viscosity_ = effectiveViscosity();
     forAll(q, i)
     {
         double* column = fluid_.own_wake + width*i;
-        const scalar read = fluid_.void_fraction[i];
-        fluid_.void_fraction[i] = withoutOwn(read, own[i]);
-        column[9] = fluid_.void_fraction[i] - read;
-        if (wakes)
+        const scalar cells = fluid_.void_fraction[i];
+        const scalar read = narrow ? max(1 - solid[i], transfer.minVoidFraction()) : cells;
+        fluid_.void_fraction[i] = withoutOwn(read, ownRead[i]);
+        column[DEM_OWN_WAKE_VOID] = fluid_.void_fraction[i] - cells;
+        if (wakes_ && twoWay)
         {
             setWake(i, q[i], own[i]);
         }
+        if (inverse.size())
+        {
+            setRatio(i, withoutOwn(1/inverse[i], own[i])/fluid_.void_fraction[i]);
+        }
     }
+}
+
+
+// The law's slip changes by r times what the motion of the particle in the step changes it
+void Foam::demOwnWake::setRatio(const label i, const scalar ratio)
+{
+    double* column = fluid_.own_wake + width*i;
+    const scalar r = min(max(ratio, minRatio), maxRatio);
+    const vector w(wakes_ ? wake(i) : vector(Zero));
+    const vector slip(vectorAt(fluid_.velocity, i) - w - velocity(view_, i));
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        column[k] = w[k] + (1 - r)*slip[k];
+    }
+    column[DEM_OWN_WAKE_DRAG] = r - 1;
+    fluid_.slip_factor[i] *= r;
 }
 
 
@@ -214,7 +253,7 @@ Foam::scalar Foam::demOwnWake::uncorrected() const
 {
     if
     (
-        fluid_.own_wake
+        wakes_
      || !particles_.react()
      || particles_.dict().effectWith(DEM_TRAIT_VISCOSITY).empty()
      || particles_.interval() > 0
@@ -245,7 +284,7 @@ Foam::scalar Foam::demOwnWake::uncorrected() const
 
 void Foam::demOwnWake::update(const UList<vector>& velocity)
 {
-    if (!fluid_.own_wake || !particles_.twoWay() || particles_.interval() > 0)
+    if (!wakes_ || !particles_.twoWay() || particles_.interval() > 0)
     {
         return;
     }

@@ -59,7 +59,7 @@ void Foam::demDict::checkCoupling() const
         wordList
         ({
             "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
-            "kernel", "width", "base", "minVoidFraction", "record", "fields",
+            "kernel", "width", "lawWidth", "base", "minVoidFraction", "record", "fields",
             "lastGood", "equations", "mixtureFlux", "ownWake"
         })
     );

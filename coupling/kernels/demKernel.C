@@ -189,10 +189,14 @@ class demDiffusionKernel
 {
     autoPtr<demKernel> base_;
     demSmoother smoother_;
+    demSmoother lawSmoother_;
     const fvMesh& mesh_;
 
-    //- Width [m]
-    scalar b_;
+    //- Width, and width for drag laws [m]
+    scalar b_, lawB_;
+
+    //- Diameter [m]
+    scalar d_;
 
     //- Squares of the sides of the cell, of a box along the axes [m2]
     vector squaredSides(const label celli) const
@@ -206,6 +210,23 @@ class demDiffusionKernel
             sum += cmptMultiply(d, d);
         }
         return sum*(4.0/corners.size());
+    }
+
+    //- q for a Gaussian of width b [m] that deposits and samples. Variance in each direction:
+    //  b^2 plus h^2/6 for the two cells, at least 0.53 h^2 as for the base. Within 3 % away
+    //  from walls
+    void ofGaussian(const UList<demCellLocation>& at, const scalar b, UList<scalar>& q) const
+    {
+        forAll(at, i)
+        {
+            const vector h2(squaredSides(at[i].cell));
+            q[i] = 1;
+            for (direction k = 0; k < 3; ++k)
+            {
+                const scalar variance = max(sqr(b) + h2[k]/6, 0.53*h2[k]);
+                q[i] /= std::sqrt(constant::mathematical::twoPi*variance);
+            }
+        }
     }
 
     template<class Type>
@@ -231,8 +252,11 @@ public:
     demDiffusionKernel(const parts& p)
     :
         smoother_(p.mesh, p.wedge, p.sliding),
+        lawSmoother_(p.mesh, p.wedge, p.sliding),
         mesh_(p.mesh),
-        b_(0)
+        b_(0),
+        lawB_(0),
+        d_(0)
     {
         scalar c, a;
         const bool itself = p.coupling.getOrDefault<word>("base", "linear") == typeName;
@@ -262,10 +286,22 @@ public:
         base_().variance(d, c, a);
         smoother_.setWidth(b, c, a);
         b_ = b;
+        d_ = d;
     }
 
-    //- As for a Gaussian that deposits and samples. Variance in each direction: b^2 plus h^2/6
-    //  for the two cells, at least 0.53 h^2 as for the base. Within 3 % away from walls
+    virtual bool hasLawWidth() const
+    {
+        return true;
+    }
+
+    virtual void setLawWidth(const scalar b)
+    {
+        scalar c, a;
+        base_().variance(d_, c, a);
+        lawSmoother_.setWidth(b, c, a);
+        lawB_ = b;
+    }
+
     virtual void ownWeights(const UList<demCellLocation>& at, UList<scalar>& q) const
     {
         if (b_ <= 0)
@@ -273,16 +309,22 @@ public:
             base_().ownWeights(at, q);
             return;
         }
-        forAll(at, i)
+        ofGaussian(at, b_, q);
+    }
+
+    virtual void ownLawWeights(const UList<demCellLocation>& at, UList<scalar>& q) const
+    {
+        if (lawSmoother_.steps())
         {
-            const vector h2(squaredSides(at[i].cell));
-            q[i] = 1;
-            for (direction k = 0; k < 3; ++k)
-            {
-                const scalar variance = max(sqr(b_) + h2[k]/6, 0.53*h2[k]);
-                q[i] /= std::sqrt(constant::mathematical::twoPi*variance);
-            }
+            ofGaussian(at, lawB_, q);
+            return;
         }
+        base_().ownWeights(at, q);
+    }
+
+    virtual void smoothForLaw(UList<scalar>& density) const
+    {
+        lawSmoother_.smooth(density);
     }
 
     virtual scalar surfaceLayer(const scalar d) const

@@ -12,11 +12,15 @@
 void Foam::demTransfer::read()
 {
     width_ = kernel_().uses("width") ? coupling_.getOrDefault<scalar>("width", 3) : 0;
+    lawWidth_ = kernel_().hasLawWidth() ? coupling_.getOrDefault<scalar>("lawWidth", 0) : 0;
     minVoidFraction_ = coupling_.getOrDefault<scalar>("minVoidFraction", 0.2);
 
-    for (const char* entry : {"base", "width", "diameter"})
+    for (const word entry : {"base", "width", "lawWidth", "diameter"})
     {
-        if (!kernel_().uses(entry) && coupling_.found(entry))
+        const bool used =
+            entry == "lawWidth" ? kernel_().hasLawWidth() : kernel_().uses(entry);
+
+        if (!used && coupling_.found(entry))
         {
             FatalIOErrorInFunction(coupling_)
                 << "coupling/" << entry << " is a setting of the smoothing, which kernel "
@@ -30,6 +34,18 @@ void Foam::demTransfer::read()
             << "coupling/width " << width_ << " is negative; give the width in particle"
             << " diameters, 3 for example, 0 for no smoothing" << exit(FatalIOError);
     }
+    if (lawWidth_ < 0 || lawWidth_ > width_)
+    {
+        FatalIOErrorInFunction(coupling_)
+            << "coupling/lawWidth " << lawWidth_ << " is out of range; give a number from 0,"
+            << " for none, to the width, which is " << width_ << exit(FatalIOError);
+    }
+    if (lawWidth_ > 0 && (mesh_.nGeometricD() != 3 || wedge_.valid()))
+    {
+        FatalIOErrorInFunction(coupling_)
+            << "coupling/lawWidth is for three-dimensional meshes, and this one is a wedge or"
+            << " two-dimensional; take it out" << exit(FatalIOError);
+    }
     if (coupling_.getOrDefault<scalar>("diameter", 1) <= 0)
     {
         FatalIOErrorInFunction(coupling_)
@@ -41,6 +57,16 @@ void Foam::demTransfer::read()
         FatalIOErrorInFunction(coupling_)
             << "coupling/minVoidFraction " << minVoidFraction_ << " is out of"
             << " range; give a number above 0 and below 1, 0.2 for example" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::demTransfer::setWidths()
+{
+    kernel_().setWidth(diameter_, width_*diameter_);
+    if (lawWidth_ > 0)
+    {
+        kernel_().setLawWidth(lawWidth_*diameter_);
     }
 }
 
@@ -60,7 +86,7 @@ void Foam::demTransfer::build()
         {mesh_, coupling_, locator_(), wedge_.get(), interface_.get()}, "kernel", "diffusion"
     );
     limiter_.reset(new demOverpackingLimiter(mesh_, interface_.get()));
-    kernel_().setWidth(diameter_, width_*diameter_);
+    setWidths();
 }
 
 
@@ -75,6 +101,7 @@ Foam::demTransfer::demTransfer
     coupling_(coupling),
     outlets_(outlets),
     width_(0),
+    lawWidth_(0),
     minVoidFraction_(0),
     diameter_(0),
     keepsOwnWeights_(false)
@@ -103,7 +130,7 @@ void Foam::demTransfer::setDiameter(const scalar d)
     if (d != diameter_)
     {
         diameter_ = d;
-        kernel_().setWidth(diameter_, width_*diameter_);
+        setWidths();
     }
 }
 
@@ -111,7 +138,8 @@ void Foam::demTransfer::setDiameter(const scalar d)
 // From the smallest cell of the mesh; no search for the cell of each particle
 Foam::scalar Foam::demTransfer::surfaceLayer() const
 {
-    return width_ > 0 ? width_*diameter_ : kernel_().surfaceLayer(diameter_);
+    const scalar width = lawWidth_ > 0 ? lawWidth_ : width_;
+    return width > 0 ? width*diameter_ : kernel_().surfaceLayer(diameter_);
 }
 
 
@@ -159,6 +187,12 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
     if (keepsOwnWeights_)
     {
         ownWeights_ = findOwnWeights();
+        if (lawWidth_ > 0)
+        {
+            ownLawWeights_.setSize(routing_().locations().size());
+            kernel_().ownLawWeights(routing_().locations(), ownLawWeights_);
+            routing_().toParticles(ownLawWeights_);
+        }
     }
     updateDamping();
     return outside;
@@ -214,8 +248,16 @@ Foam::tmp<Foam::scalarField> Foam::demTransfer::findOwnWeights() const
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::demTransfer::sampleSolidForLaw() const
+{
+    scalarField solid(lawSolid_);
+    kernel_().smoothForLaw(solid);
+    return gather<scalar>(solid);
+}
+
+
 template<class Type>
-void Foam::demTransfer::depositUnlimited
+void Foam::demTransfer::spread
 (
     const UList<Type>& perParticle,
     Field<Type>& density
@@ -232,7 +274,6 @@ void Foam::demTransfer::depositUnlimited
     density = Zero;
     kernel_().spread(routing_().locations(), values, density);
     density /= mesh_.V().field();
-    kernel_().smooth(density);
 }
 
 
@@ -243,7 +284,8 @@ void Foam::demTransfer::deposit
     Field<Type>& density
 ) const
 {
-    depositUnlimited(perParticle, density);
+    spread(perParticle, density);
+    kernel_().smooth(density);
     limiter_().spread(density);
 }
 
@@ -254,7 +296,13 @@ void Foam::demTransfer::depositVolume
     volScalarField::Internal& solid
 )
 {
-    depositUnlimited(volumes, solid.field());
+    spread(volumes, solid.field());
+    if (lawWidth_ > 0)
+    {
+        lawSolid_ = solid.field();
+        kernel_().smoothForLaw(lawSolid_);
+    }
+    kernel_().smooth(solid.field());
     limiter_().limitSolid(solid.field(), 1 - minVoidFraction_);
 }
 

@@ -109,6 +109,15 @@ static void dem_fluid_kick(global double *restrict columns, uint n, uint i, doub
 {
     const double4 before = *v;
 
+#if defined(COLUMN_OWN_WAKE) && !WHOLE_DRAG
+    const double factor = 1.0 + columns[(size_t)COLUMN_OWN_WAKE*n + DEM_DEVICE_WAKE*(size_t)i +
+                                        DEM_DEVICE_WAKE_DRAG];
+
+    r->drag *= factor;
+    r->drag_ux *= factor;
+    r->drag_uy *= factor;
+    r->drag_uz *= factor;
+#endif
 #if WHOLE_DRAG
     const double over = 1.0/dem_drag_void_fraction(r->void_fraction);
 

@@ -14,7 +14,8 @@ enum
     DEM_DEVICE_BATCH = 256,     /* steps between two looks of the host, at most */
     DEM_DEVICE_IMAGES = 27,     /* periodic shifts of a pair */
     DEM_DEVICE_SUM = 72,        /* digits of an exact sum, and some */
-    DEM_DEVICE_WAKE = 10,       /* numbers of an own wake (DEM_OWN_WAKE_WIDTH) */
+    DEM_DEVICE_WAKE_DRAG = 9,   /* DEM_OWN_WAKE_DRAG */
+    DEM_DEVICE_WAKE = 11,       /* numbers of an own wake (DEM_OWN_WAKE_WIDTH) */
     DEM_DEVICE_MATERIALS = 32,  /* as DEM_MATERIALS */
     DEM_DEVICE_NEAR = 16,       /* facets that one particle touches, at most */
     DEM_DEVICE_TRIANGLE_BITS = 23,    /* of a candidate; above them its image: three bits an axis */

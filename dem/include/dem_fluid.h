@@ -32,8 +32,8 @@ void dem_case_fluid_displaced(struct dem_case *, double density);
    in its Stokes number. */
 void dem_case_fluid_density(struct dem_case *, double density);
 
-/* The program subtracts the wake of each particle from the fluid velocity that this particle sees:
-   the column own_wake exists. */
+/* Effects see another fluid velocity and void fraction than the exchange, without the particle's own
+   wake for example: the column own_wake exists. */
 void dem_case_fluid_own_wake(struct dem_case *);
 
 /* Before dem_case_check. The program exchanges this scalar of the scene's effects:
@@ -99,12 +99,13 @@ struct dem_fluid
     double *owed_pressure_impulse;       /* in/out  N s  3 each, for the program: impulse of the
                                             pressure gradient, without its hydrostatic part, that
                                             the particle has not received yet */
-    double *own_wake;                    /* in/out  10 each: part of `velocity` that is the
-                                            particle's own wake [m/s], which effects do not see
-                                            but the exchange does; 6 numbers for the program;
-                                            part of `void_fraction` above the cells' [1]. NULL
-                                            without dem_case_fluid_own_wake; 0 for a new
-                                            particle */
+    double *own_wake;                    /* in/out  11 each: part of `velocity` that effects do not
+                                            see but the exchange does [m/s]; 6 numbers for the
+                                            program; r - 1, with the slip of the effects r times
+                                            the slip of the exchange, and drag, unless it is
+                                            whole, r times the law's [1]; part of `void_fraction`
+                                            above the cells' [1]. NULL without
+                                            dem_case_fluid_own_wake; 0 for a new particle */
 };
 
 /* 1 when an effect of the scene needs a fluid. */

@@ -49,7 +49,9 @@ struct dem_new_particle
 
 enum
 {
-    DEM_OWN_WAKE_WIDTH = 10  /* numbers of a particle in own_wake of struct dem_fluid */
+    DEM_OWN_WAKE_DRAG = 9,   /* place of a number in own_wake of struct dem_fluid */
+    DEM_OWN_WAKE_VOID = 10,
+    DEM_OWN_WAKE_WIDTH = 11  /* numbers of a particle in it */
 };
 
 /* ---- advance --------------------------------------------------------------------------------- */

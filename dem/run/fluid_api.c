@@ -117,7 +117,7 @@ double dem_fluid_under_relax(struct dem *d)
         const double displaced = density[i]*dem_totals_volume(&d->state, r);
         const int moves = r->inverse_mass > 0.0 && displaced > 0.0;
         const double of_cells =
-            void_fraction[i] - (own ? own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_WIDTH - 1] : 0.0);
+            void_fraction[i] - (own ? own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_VOID] : 0.0);
 
         factor[i] = moves ? dem_exchange_under_relaxation(of_cells, r->mass/displaced,
                                                           added ? added[i]/displaced : 0.0,

@@ -66,6 +66,10 @@ void dem_body_batch_store_voidage_factors(const struct dem_body_workspace *, str
    uniform flow, the force of its pressure gradient included. */
 void dem_body_batch_divide_by_void_fraction(struct dem_body_workspace *);
 
+/* Multiply drag by the factor in the column own_wake. */
+void dem_body_batch_scale_drag(struct dem_body_workspace *, const struct dem_particles *,
+                               size_t first, int rows);
+
 /* Apply the slip factor: the reaction of an incompressible fluid to the motion of the particles
    since the start of the window, see sweep_bodies.c. */
 void dem_body_batch_apply_slip_factor(struct dem_body_workspace *, const struct dem_particles *,

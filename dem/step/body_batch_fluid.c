@@ -34,6 +34,24 @@ void dem_body_batch_divide_by_void_fraction(struct dem_body_workspace *work)
     divide_by_void_fraction(&work->batch);
 }
 
+void dem_body_batch_scale_drag(struct dem_body_workspace *work,
+                               const struct dem_particles *particles, size_t first, int rows)
+{
+    struct dem_body_batch *const batch = &work->batch;
+    const double *const own =
+        dem_column(particles, DEM_COLUMN_OWN_WAKE) + DEM_OWN_WAKE_WIDTH*first;
+
+    for (int c = 0; c < rows; c++)
+    {
+        const double factor = 1.0 + own[DEM_OWN_WAKE_WIDTH*c + DEM_OWN_WAKE_DRAG];
+
+        batch->drag[c] *= factor;
+        batch->drag_ux[c] *= factor;
+        batch->drag_uy[c] *= factor;
+        batch->drag_uz[c] *= factor;
+    }
+}
+
 /* Slip u - v(start) - gamma (v - v(start)): with the drag coefficient b, b becomes gamma b, and
    b u becomes b u + (gamma - 1) b v(start). */
 DEM_KERNEL

@@ -2,13 +2,14 @@
  * body_window.c -- begin and end of a coupling window: constants of the body effects, and the
  * response of each particle to the fluid.
  *
- *   R = |J|/|u - v(start)|, between m E/gamma and B; B for a frozen particle    [kg]
+ *   R = r |J|/|u - v(start)|, between r m E/gamma and r B; r B for a frozen particle  [kg]
  *   q = 1 - m E/(gamma B), 0 for a frozen particle                              [1]
  *
  *   J      impulse of drag in the window                                        [N s]
  *   E      1 - product of exp(-gamma b h/m) over the steps h                    [1]
  *   B      sum of b h, b the drag coefficient                                   [kg]
  *   gamma  slip factor: the slip is u - v(start) - gamma (v - v(start))         [1]
+ *   r      slip of the law over the slip of the exchange, DEM_OWN_WAKE_DRAG     [1]
  *   m      inertial mass, with added mass                                       [kg]
  *   q      fraction of a steady force that drag passes on to the fluid
  *
@@ -177,6 +178,8 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
     for (size_t i = 0; i < particles->n; i++)
     {
         const double *const J = impulse + 3*i;
+        const double *const own = dem_column(particles, DEM_COLUMN_OWN_WAKE);
+        const double law = own ? 1.0 + own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_DRAG] : 1.0;
         const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i],
                      held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i],     /* B */
                      slip = slip_at_start(particles, i),
@@ -189,7 +192,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
         const double response = inverse_mass == 0.0 || drag >= held*slip ? held : drag/slip,
                      least = free/slip_factor;
 
-        dem_column(particles, DEM_COLUMN_RESPONSE)[i] = response > least ? response : least;
+        dem_column(particles, DEM_COLUMN_RESPONSE)[i] = law*(response > least ? response : least);
         dem_column(particles, DEM_COLUMN_DRAG_FRACTION)[i] =
             free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
     }

@@ -248,6 +248,10 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     {
         dem_body_batch_divide_by_void_fraction(work);
     }
+    else if (fluid && dem_column(particles, DEM_COLUMN_OWN_WAKE))
+    {
+        dem_body_batch_scale_drag(work, particles, first, rows);
+    }
     if (fluid)
     {
         kick_in_fluid(work, particles, s->clumps, first, rows, s->kick);

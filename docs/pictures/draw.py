@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""draw.py -- the pictures of docs/choosing.md, from stored tables of the repository.
+"""draw.py -- the pictures of docs/choosing.md and kernels.md, from stored tables of the repository.
 
     python3 docs/pictures/draw.py [FOLDER]        writes choosing-*.png there, else beside this file
 
-Nothing is computed here: tests/cost/studies/stored, tests/coupled/noise/stored.csv and
+Nothing is computed here: tests/cost/studies/stored, tests/coupled/noise and
 tutorials/muellerBed/stored hold the numbers, their dates and how to make them again.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -118,6 +118,31 @@ def cells():
     save(figure, "cells")
 
 
+def widths():
+    figure, (left, right) = panels(2, 9, sharey=True)
+    table = {r["quantity"]: r for r in rows(ROOT/"tests/coupled/noise/widths.csv")}
+    kernels = [name for name in next(iter(table.values())) if name != "quantity"][::-1]
+    for axes, quantities in (
+            (left, (("bed of 15 d, cells of 2 d: drop missing", "drop of a bed of 15 d, cells of 2 d"),
+                    ("bed of 15 d, cells of 1 d: drop missing", "cells of 1 d"),
+                    ("one sphere, cells of 2 d, Re 0.1, ownWake no: speed too large", "one sphere, Re 0.1, cells of 2 d"),
+                    ("one sphere, cells of 2 d, Re 0.1, ownWake yes: speed too large", "with ownWake"))),
+            (right, (("towed sphere, cells of 2 d: noise in time", "towed sphere, in time"),
+                     ("packed bed, cells of 2 d: solid fraction, neighboring cells", "packed bed: solid fraction"),
+                     ("packed bed, cells of 2 d: pressure gradient, neighboring cells", "pressure gradient"),
+                     ("packed bed, cells of 2 d: velocity, neighboring cells", "velocity")))):
+        for k, (quantity, label) in enumerate(quantities):
+            axes.plot([100*abs(float(table[quantity][n])) for n in kernels], range(len(kernels)), color=COLOURS[k],
+                      marker=MARKS[k], ms=7, ls="", label=label)
+        axes.set(xscale="log", ylim=(-0.5, len(kernels) - 0.5))
+        plain_ticks(axes.xaxis, [0.5, 1, 2, 5, 10, 20])
+        legend(axes)
+    left.set_yticks(range(len(kernels)), kernels)
+    left.set(xlabel="error [%]", ylabel="kernel, or width [d] of diffusion")
+    right.set_xlabel("noise, cells of 2 d [%]")
+    save(figure, "widths")
+
+
 def drag():
     laws = ["gidaspow", "wenYu", "beetstra", "kochHill", "diFelice"]
     figure, (left, right) = panels(2, 9.5, width_ratios=[2, 1])
@@ -146,4 +171,5 @@ def drag():
 step()
 stiffness()
 cells()
+widths()
 drag()

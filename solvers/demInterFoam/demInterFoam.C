@@ -33,14 +33,16 @@ Description
     share the net force of a face in proportion to their inertia, not by geometry: else
     the light fluid would get half of a force on the heavy one.
 
-    Not included: moving meshes, the sets I and III, heat, fvOptions, implicit MULES,
+    The mesh may move (dynamicFvMesh) without changes of topology, as in demPimpleFoam.
+
+    Not included: the sets I and III, heat, fvOptions, implicit MULES,
     contact angles on particles.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "IOdictionary.H"
+#include "dynamicFvMesh.H"
 #include "volumeAveragedTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
@@ -48,6 +50,8 @@ Description
 #include "demDrivingForce.H"
 #include "demFiles.H"
 #include "demFluid.H"
+#include "demMeshCheck.H"
+#include "demPassable.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkTimeScheme.H"
@@ -65,22 +69,17 @@ Description
 namespace Foam
 {
 
-// Refuse a mesh that moves
-static void checkMesh(const fvMesh& mesh)
+// Refuse zones that slide: MULES limits the fluxes of the two sides one by one
+static void checkMotion(const dynamicFvMesh& mesh)
 {
-    IOobject file
-    (
-        demFileAt(mesh.time().constant(), "dynamicMeshDict", mesh, IOobject::MUST_READ)
-    );
-
-    if (file.typeHeaderOk<IOdictionary>(true))
+    for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        const word type(IOdictionary(file).getOrDefault<word>("dynamicFvMesh", "staticFvMesh"));
-        if (type != "staticFvMesh")
+        if (mesh.dynamic() && demPassable::slides(patch))
         {
             FatalErrorInFunction
-                << "dynamicFvMesh is " << type << " in constant/dynamicMeshDict, but the mesh"
-                << " of demInterFoam does not move: give staticFvMesh" << exit(FatalError);
+                << "The mesh moves and has the sliding interface " << patch.name() << " ("
+                << patch.type() << "), but demInterFoam does not keep the volumes of the"
+                << " fluids across it: move the whole mesh, or deform it" << exit(FatalError);
         }
     }
 }
@@ -140,14 +139,14 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     #include "createTime.H"
     demRun run(args, runTime);
-    #include "createMesh.H"
+    #include "createDynamicFvMesh.H"
 
     if (run.settle(mesh))
     {
         return 0;
     }
 
-    checkMesh(mesh);
+    checkMotion(mesh);
     pimpleControl pimple(mesh);
 
     checkTimeScheme(mesh, "ddt(mass)");
@@ -185,6 +184,14 @@ int main(int argc, char *argv[])
         ++runTime;
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        #include "moveMesh.H"
+        if (mesh.moving())
+        {
+            gh = (gravity & mesh.C()) - ghRef;
+            ghf = (gravity & mesh.Cf()) - ghRef;
+            fluids.correct();
+        }
 
         // One exchange per step: the forces of the particles stay constant during
         // the iterations of the fluids. gradP differs from the one that the particles

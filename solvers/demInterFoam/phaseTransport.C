@@ -16,7 +16,8 @@
 namespace Foam
 {
 
-// What MULES takes as the density: e* at the end and at the beginning of a sub-cycle
+// What MULES takes as the density: e* at the end and at the beginning of a sub-cycle.
+// On a moving mesh MULES multiplies the latter by the ratio of the volumes in the whole step.
 class subCycleWeight
 {
     const scalarField& now_;
@@ -71,7 +72,12 @@ void Foam::phaseTransport::subCycle
     const scalar rDeltaT
 )
 {
-    const subCycleWeight rho(weight, oldWeight);
+    scalarField before(oldWeight);
+    if (mesh_.moving())
+    {
+        before *= mesh_.V().field()/mesh_.V0().field();
+    }
+    const subCycleWeight rho(weight, before);
     surfaceScalarField limited(unlimitedFlux());
 
     alpha_.oldTime().primitiveFieldRef() = alpha_.primitiveField();
@@ -122,6 +128,10 @@ void Foam::phaseTransport::beginStep()
     alpha_.oldTime();
     oldAlpha_ = alpha_.primitiveField();
     oldWeight_ = weight_.primitiveField();
+    if (mesh_.moving())
+    {
+        oldWeight_ *= mesh_.V0().field()/mesh_.V().field();
+    }
     moved_ = false;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """evaluate.py -- volumes, exchange and the fronts of water and grains.
 
-    evaluate.py [-test]        writes result.csv, fronts.csv and dam.png
+    evaluate.py [-animate]     writes result.csv, fronts.csv and dam.png; with -animate dam.webp
 
 Bounds and their reasons:
   water     change of its volume, relative; 1e-9: identities, 10 digits of the log
@@ -24,9 +24,10 @@ import numpy
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent/"shared"))
 import results                      # noqa: E402
+import side                         # noqa: E402
 
 RUN = HERE/"runs/dam"
-WIDTH, HEIGHT, TANK, TOP = 0.05, 0.1, 0.2, 0.3  # m, of the column; length and height of the tank
+WIDTH, HEIGHT, TANK = 0.05, 0.1, 0.2             # m, of the column; length of the tank
 D = 2.7e-3                                      # m, of the grains
 
 
@@ -34,12 +35,6 @@ def cells():
     """Number of cells along x, y and z."""
     return [int(n) for n in re.search(r"^cells\s+\((\d+) (\d+) (\d+)\)",
                                       (RUN/"system/blockMeshDict").read_text(), re.M).groups()]
-
-
-def times():
-    """The folders of the written times after 0."""
-    return sorted((p for p in RUN.iterdir() if re.fullmatch(r"\d\.?\d*", p.name) and float(p.name) > 0),
-                  key=lambda p: float(p.name))
 
 
 def water(path):
@@ -50,33 +45,22 @@ def water(path):
 def fronts():
     """Time, foremost grain and foremost water on the floor [s, m, m]."""
     rows = []
-    for path in times():
-        grains = results.field(path/"lagrangian/particles/positions")
+    for path in side.times(RUN):
+        grains = side.grains(path)
         floor = water(path)[0].mean(axis=0)
         wet = numpy.nonzero(floor > 0.5)[0]
         rows.append((float(path.name), grains[:, 0].max(), (wet.max() + 1)*TANK/cells()[0]))
     return numpy.array(rows)
 
 
-def draw():
-    """From the side, at six times: water, the mean over the depth of the tank, and grains."""
-    from matplotlib.patches import Circle
-    from matplotlib.collections import PatchCollection
-    from style import OURS, REFERENCE, panels, save
+def limits(axis):
+    axis.set(xlim=(0, 1e3*TANK), ylim=(0, 200))
 
-    shown = [path for path in times() if round(float(path.name)/0.05) in (1, 2, 4, 6, 8, 10)]
-    figure, axes = panels(len(shown), width=2.1*len(shown), height=2.9, sharey=True)
-    nx, _, nz = cells()
-    for axis, path in zip(axes, shown):
-        x, z = (numpy.arange(nx) + 0.5)*1e3*TANK/nx, (numpy.arange(nz) + 0.5)*1e3*TOP/nz
-        axis.contourf(x, z, water(path).mean(axis=1), [0.1, 0.5, 0.9, 2], colors=REFERENCE, alpha=0.25)
-        grains = 1e3*results.field(path/"lagrangian/particles/positions")[:, :3]
-        axis.add_collection(PatchCollection([Circle((at[0], at[2]), 500*D) for at in grains[numpy.argsort(-grains[:, 1])]],
-                                            facecolor=OURS, edgecolor="white", linewidth=0.2))
-        axis.set(title=f"{float(path.name):g} s", xlim=(0, 1e3*TANK), ylim=(0, 200), xlabel="x [mm]", aspect="equal")
-        axis.grid(False)
-    axes[0].set_ylabel("z [mm]")
-    save(figure, HERE/"dam.png")
+
+def draw():
+    """From the side, at six times."""
+    shown = [path for path in side.times(RUN) if round(float(path.name)/0.01) in (5, 10, 20, 30, 40, 50)]
+    side.series(HERE/"dam.png", RUN, shown, D, 2.9, limits, width=2.1*len(shown))
 
 
 def main():
@@ -105,7 +89,10 @@ def main():
                   allowed=1, source="Ritter 1892")
         table.add("fronts", "grains behind the water", 0, water - grains, unit="m")
     table.write(HERE)
-    draw()
+    with results.pictures():
+        draw()
+        if "-animate" in sys.argv:
+            side.animate(HERE/"dam.webp", RUN, D, 0.08, limits)
 
 
 if __name__ == "__main__":

@@ -44,18 +44,18 @@ def to_walls(points, values):
 
 
 def view(axis, run, folder, diameter, fluid="alpha.water"):
-    """Water and grains of one time from the side: x and z in mm."""
+    """Water and grains of one time from the side: x and z in mm; grains alone without a fluid."""
     from matplotlib.collections import PatchCollection
     from matplotlib.patches import Circle
     from style import OURS, REFERENCE
 
-    places = numpy.round(1e3*results.field(run/"0/C")[:, [0, 2]], 6)
-    points, column = numpy.unique(places, axis=0, return_inverse=True)
-    alpha = results.field(folder/fluid)[:, 0]
-    alpha = numpy.bincount(column.ravel(), alpha)/numpy.bincount(column.ravel())
-    points, alpha = to_walls(points, alpha)
-    if numpy.ptp(alpha) > 0.1:
-        axis.tricontourf(*points.T, alpha, [0.5, 2], colors=REFERENCE, alpha=0.25)
+    if fluid:
+        places = numpy.round(1e3*results.field(run/"0/C")[:, [0, 2]], 6)
+        points, column = numpy.unique(places, axis=0, return_inverse=True)
+        alpha = results.field(folder/fluid)[:, 0]
+        points, alpha = to_walls(points, numpy.bincount(column.ravel(), alpha)/numpy.bincount(column.ravel()))
+        if numpy.ptp(alpha) > 0.1:
+            axis.tricontourf(*points.T, alpha, [0.5, 2], colors=REFERENCE, alpha=0.25)
     at = 1e3*grains(folder)
     axis.add_collection(PatchCollection([Circle((x, z), 500*diameter) for x, _, z in at[numpy.argsort(-at[:, 1])]],
                                         facecolor=OURS, edgecolor="white", linewidth=0.2))
@@ -63,13 +63,13 @@ def view(axis, run, folder, diameter, fluid="alpha.water"):
     axis.grid(False)
 
 
-def series(path, run, folders, diameter, height, finish, **options):
+def series(path, run, folders, diameter, height, finish, fluid="alpha.water", **options):
     """A picture with these times side by side; `finish(axis)` adds walls and limits."""
     from style import panels, save
 
     figure, axes = panels(len(folders), height=height, sharey=True, **options)
     for axis, folder in zip(axes, folders):
-        view(axis, run, folder, diameter)
+        view(axis, run, folder, diameter, fluid)
         finish(axis)
     axes[0].set_ylabel("z [mm]")
     save(figure, path)

@@ -1,5 +1,9 @@
-"""A sphere sinks from a fluid into a heavier, thinner one, each wider than the kernel: in both it reaches the velocity
-of Stokes with the density and viscosity of that fluid.
+"""Single spheres that do not act on the fluids.
+
+- One sinks from a fluid into a heavier, thinner one, each wider than the kernel: in both it reaches the velocity of
+  Stokes with the density and viscosity of that fluid.
+- One of 0.9 times the liquid's density floats: as Archimedes says with the kernel `divided`, at the depth of the
+  kernel's mean density with `diffusion`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -35,4 +39,30 @@ for name, where, fluid in (("light", above, light), ("heavy", below, heavy)):
     v = settling_velocity(*fluid)
     claim(f"in the {name} fluid: the velocity is {v*1e3:.4g} mm/s (0.1 %)",
           where.any() and np.all(abs(-w[where]/v - 1) < 1e-3), -w[where], v)
+
+# ---- floating ---------------------------------------------------------------------------------------
+
+d, above, h = 0.01, 1.0, 0.005
+share = (900 - above)/(1000 - above)                            # of the weight of liquid it displaces
+wet = (1 + np.linspace(-1, 1, 20001))**2*(2 - np.linspace(-1, 1, 20001))/4
+archimedes = d/2*np.interp(share, wet, np.linspace(-1, 1, 20001))
+# a Gaussian of width b, exp(-x2/b2): erfc(-depth/b)/2 of it are in the liquid
+depths = np.linspace(-3, 3, 20001)
+smeared = 3*d*np.interp(share, [math.erfc(-x)/2 for x in depths], depths)
+for kernel, depth, limit in (("divided", archimedes, 0.01), ("diffusion; width 3", smeared, 0.01)):
+    case = TwoFluids("floating-" + kernel.split(";")[0])
+    case.controls(2, 2e-3)
+    case.fluids((1000, 0.4), (above, 1e-3), tolerance=1e-10, correctors=2)
+    case.box((0.02, 0.02, 0.24), (4, 4, 48), walls)
+    case.fields(walls)
+    case.alpha(lambda x: x[:, 2] < 0.12)
+    case.grains("ball { density 900; youngsModulus 1e6; }", "hertz {} stokesDrag {}",
+                f"ball {{ type list; diameter {d}; positions ((0.0101 0.0098 {0.12 - 0.95*depth})); }}",
+                f"twoWay no; kernel {kernel};")
+    case.run("demInterFoam")
+    claim_ran(f"floating, {kernel}: runs", case, "demInterFoam")
+    z, w = case.particles("2", "positions", "U")[0, [3, 6]]
+    claim(f"floating, {kernel}: it hardly moves (a tenth of d in a second)", abs(w) < 0.1*d, w)
+    claim(f"floating, {kernel}: its centre is {depth*1e3:.3f} mm below the surface ({limit:.0%} of d)",
+          abs(0.12 - z - depth) < limit*d, 0.12 - z, depth)
 finish()
