@@ -120,6 +120,7 @@ double dem_drag_coefficient(const struct dem *d, const struct dem_suspension *s,
     {
         batch.radius[c] = 0.5*s->diameter;
         batch.volume[c] = volume;
+        batch.sphericity[c] = batch.crosswise[c] = batch.lengthwise[c] = 1.0;
         batch.mass[c] = s->density*volume;
         batch.ux[c] = slip;
         batch.void_fraction[c] = void_fraction;

@@ -119,6 +119,9 @@ static inline struct dem_body_row random_body(void)
     DEM_BODY_COLUMNS(ANY_OF_BODY)
     r.radius = positive(1e-6, 0.1);
     r.volume = 4.0/3.0*3.14159265358979324*r.radius*r.radius*r.radius;
+    r.sphericity = one_in(4) ? 1.0 : uniform(0.2, 1.0);
+    r.crosswise = uniform(0.2, 2.0);
+    r.lengthwise = uniform(0.2, 2.0);
     r.density = one_in(8) ? 0.0 : positive(0.1, 1e4);
     r.mass = r.volume*positive(10.0, 2e4);
     r.void_fraction = one_in(8) ? uniform(-0.1, 1.2) : uniform(0.2, 1.0);
