@@ -18,7 +18,7 @@
 #include "run/stage_tests.h"
 #include "step/cell_motion.h"
 #include "step/fall_check.h"
-#include "step/step.h"
+#include "step/step_window.h"
 #include "step/step_backup.h"
 #include "step/wall_bodies.h"
 #include <fenv.h>
