@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/memory.h"
+#include <errno.h>
 #include <fenv.h>
 #include <math.h>
 #include <stdio.h>
@@ -64,10 +65,21 @@ static int read_row(struct dem_text_table *t, const char *line)
 
     for (int c = 0; c < t->columns && good; c++, at = skip(at))
     {
+        double *const to = &number[t->what[c]];
         char *end;
 
-        number[t->what[c]] = strtod(at, &end);
-        good = end > at && isfinite(number[t->what[c]]) && (!*end || strchr(" \t\r,;", *end));
+        errno = 0;
+        if (t->what[c] == t->whole && t->whole > 0)
+        {
+            t->integer = strtoll(at, &end, 10);
+            good = end > at && errno == 0;
+        }
+        else
+        {
+            *to = strtod(at, &end);
+            good = end > at && isfinite(*to);
+        }
+        good = good && (!*end || strchr(" \t\r,;", *end));
         at = end;
     }
     DEM_REQUIRE(good && !*at, DEM_ERROR_INPUT, "%s, line %d: \"%.40s\" is not a row of %d numbers, "

@@ -13,6 +13,8 @@
 #ifndef DEM_INPUT_TEXT_TABLE_H
 #define DEM_INPUT_TEXT_TABLE_H
 
+#include <stdint.h>
+
 enum
 {
     DEM_TEXT_TABLE_COLUMNS = 64
@@ -23,13 +25,15 @@ struct dem_text_table
     /* given: the file; the names that columns may have */
     const char *file, *name[DEM_TEXT_TABLE_COLUMNS];
     int names;
+    int whole;    /* the name whose numbers are 64-bit integers; 0: none, as for the first name */
     /* given: called after the row of names, and with each row of numbers, one for each name, 0 where
        the table has no such column */
     int (*check)(const struct dem_text_table *);
     int (*take)(struct dem_text_table *, const double *number);
     void *data;    /* theirs */
 
-    /* found: the line; the name of each column; 1 for names that have a column */
+    /* found: the number of a row in the column of integers; the line; the name of each column; 1 for names that have a column */
+    int64_t integer;
     int line, columns, what[DEM_TEXT_TABLE_COLUMNS], present[DEM_TEXT_TABLE_COLUMNS];
 };
 

@@ -15,7 +15,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "input/text_table.h"
-#include <math.h>
 #include <string.h>
 
 enum
@@ -68,8 +67,6 @@ static int take_row(struct dem_text_table *from, const double *number)
     struct table *const t = from->data;
     const int *const present = from->present;
 
-    DEM_REQUIRE(number[ID] == rint(number[ID]) && fabs(number[ID]) <= 0x1p53, DEM_ERROR_INPUT,
-                "%s, line %d: id %.17g; give whole numbers up to 2^53", from->file, from->line, number[ID]);
     DEM_TRY(grow(t, present, from->names));
     for (int k = 0; k < 3; k++)
     {
@@ -84,7 +81,7 @@ static int take_row(struct dem_text_table *from, const double *number)
     }
     if (present[ID])
     {
-        t->id[t->n] = (int64_t)number[ID];
+        t->id[t->n] = from->integer;
     }
     for (int k = SCALAR; k < from->names; k++)
     {
@@ -113,8 +110,8 @@ static int check_scalars(const struct dem_insert_group *b, const struct dem_inte
 int dem_insert_group_read_table(struct dem_insert_group *b, const struct dem_interaction_table *r)
 {
     struct table t = {.n = 0};
-    struct dem_text_table from = {.names = SCALAR + r->scalars, .check = check_names, .take = take_row,
-                                  .data = &t};
+    struct dem_text_table from = {.names = SCALAR + r->scalars, .whole = ID, .check = check_names,
+                                  .take = take_row, .data = &t};
 
     memcpy(from.name, fixed_name, sizeof fixed_name);
     for (int k = 0; k < r->scalars; k++)
