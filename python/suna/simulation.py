@@ -164,7 +164,7 @@ class Simulation(Editing, Output):
 
     def remove_force(self, function: Callable[[Forces], object]) -> None:
         """End a force of add_force."""
-        if function not in self._forces:
+        if not callable(function) or function not in self._forces:
             raise SunaError(f"{function!r} is no force of the simulation")
         self._forces.remove(function)
 
