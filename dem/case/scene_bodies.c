@@ -81,8 +81,8 @@ static int read_axes(const struct dem_dict *dict, const char *name, double axis[
         }
         if (a == 3)
         {
-            return dem_error_prefix(dem_did_you_mean_error("axis", word[k], known, 3), "%s: ",
-                                    dem_dict_where(dict));
+            return dem_error_prefix(dem_did_you_mean_error("axis", word[k], known, 3), "%s: %s: ",
+                                    dem_dict_where(dict), name);
         }
         for (size_t m = 0; m < k; m++)
         {
@@ -198,16 +198,27 @@ static int read_free_axes(const struct dem_dict *dict, const struct dem_wall *of
     return DEM_OK;
 }
 
-static int read_free(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+/* *no: 1 when the wall has no weight. */
+static int read_weight(const struct dem_dict *dict, struct dem_wall_body *b, int *no)
 {
     bool weight;
+
+    DEM_TRY(dem_dict_switch_or(dict, "weight", true, &weight));
+    b->weight_given = dem_dict_has(dict, "weight");
+    *no = !weight;
+    return DEM_OK;
+}
+
+static int read_free(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
+{
+    int weightless;
 
     b->kind = DEM_WALL_BODY_FREE;
     DEM_TRY(read_turn(dict, b));
     DEM_TRY(read_mass(dict, b));
     DEM_TRY(read_damping(dict, "kg/s", 0.0, b));
-    DEM_TRY(dem_dict_switch_or(dict, "weight", true, &weight));
-    b->weighs = !weight ? 0.0 : b->turn.density > 0.0 ? 1.0 : b->mass;    /* 1: times the mass to come */
+    DEM_TRY(read_weight(dict, b, &weightless));
+    b->weighs = weightless ? 0.0 : b->turn.density > 0.0 ? 1.0 : b->mass;    /* 1: times the mass to come */
     DEM_TRY(read_load(dict, "force", "N", b));
     DEM_TRY(read_free_axes(dict, of, b));
     return read_velocity(dict, of, b);
@@ -255,6 +266,8 @@ static int check_inertia(const struct dem_dict *dict, const struct dem_wall_body
 
 static int read_hinge(const struct dem_dict *dict, struct dem_wall_body *b)
 {
+    int weightless;
+
     b->kind = DEM_WALL_BODY_HINGE;
     b->axes = 1;
     DEM_TRY(dem_dict_vector(dict, "origin", "m", b->origin));
@@ -267,7 +280,9 @@ static int read_hinge(const struct dem_dict *dict, struct dem_wall_body *b)
     {
         DEM_TRY(read_positive(dict, "mass", "kg", &b->weighs));
         DEM_TRY(dem_dict_vector(dict, "centre", "m", b->centre));
-        return check_inertia(dict, b);
+        DEM_TRY(check_inertia(dict, b));
+        DEM_TRY(read_weight(dict, b, &weightless));
+        b->weighs = weightless ? 0.0 : b->weighs;
     }
     return DEM_OK;
 }

@@ -60,6 +60,11 @@ int dem_text_numbers(const char *words, double *number, int most)
 
     for (; n < most; n++, words = rest)
     {
+        words += strspn(words, " \t");
+        if (*words == '\n')
+        {
+            break;
+        }
         number[n] = strtod(words, &rest);
         if (rest == words)
         {

@@ -36,7 +36,7 @@ const char *dem_text_marked(const char **at, const char *mark);
 /* What follows the name and its blank; NULL when the words begin with another one. */
 const char *dem_text_after(const char *words, const char *name);
 
-/* Read up to `most` numbers; returns how many there are. */
+/* Read up to `most` numbers of the line; returns how many there are. */
 int dem_text_numbers(const char *words, double *number, int most);
 
 /* Free the text; the struct is empty then. */

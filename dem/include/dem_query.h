@@ -138,7 +138,7 @@ void dem_wall_position(const struct dem *, int wall, struct dem_wall_position *)
 /* Set the load of a wall that is moved by force, from now on and in place of the scene's: force [N] of a
    free wall, torque [N m] of a hinge in load[0], force [N] or pressure [Pa] of a servo in load[0]. All
    ranks give the same. NULL: the scene's again. Snapshots hold it: after a restart it acts until the program
-   sets another. */
+   sets another. dem_restore brings back the load at the time of the backup. */
 int dem_wall_set_load(struct dem *, const char *name, const double load[3]);
 
 /* Collective. Write the present corners of a wall's triangles [m], 9 numbers each, into an array of

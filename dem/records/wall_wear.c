@@ -266,9 +266,10 @@ void dem_wall_wear_describe(const struct dem_state *state, struct dem_text *t)
 static int64_t take(const char **at, int64_t end, int *good)
 {
     char *rest;
+    const int ends = (*at)[strspn(*at, " ")] == '\n';
     const long long number = strtoll(*at, &rest, 10);
 
-    *good &= rest != *at && number >= 0 && number < end;
+    *good &= !ends && rest != *at && number >= 0 && number < end;
     *at = rest;
     return *good ? number : 0;
 }

@@ -18,7 +18,7 @@
 #include "run/stage_tests.h"
 #include "step/cell_motion.h"
 #include "step/fall_check.h"
-#include "step/step.h"
+#include "step/step_window.h"
 #include "step/step_backup.h"
 #include "step/wall_bodies.h"
 #include <fenv.h>
@@ -27,9 +27,27 @@
 
 /* ---- advance --------------------------------------------------------------------------------- */
 
+/* The fluid exerts no force on walls: their weight has no buoyancy against it. */
+static int check_weights(const struct dem *d)
+{
+    const struct dem_walls *const w = &d->state.walls;
+
+    for (int k = 0; k < w->walls && w->bodies > 0 && d->with_fluid; k++)
+    {
+        const struct dem_wall_body *const b = dem_walls_body(w, k);
+
+        DEM_REQUIRE(!b || b->weighs <= 0.0 || b->weight_given, DEM_ERROR_INPUT,
+                    "wall %s has weight in a fluid, which exerts no force on it: no buoyancy, no drag; give weight no "
+                    "in its motion, and a force if it has one in the fluid, or weight yes for the full weight",
+                    w->wall[k].name);
+    }
+    return DEM_OK;
+}
+
 static int check_fluid(const struct dem *d)
 {
     DEM_TRY(dem_require_fluid(d));
+    DEM_TRY(check_weights(d));
     DEM_TRY(d->coupled ? dem_api_agree(d, dem_api_require_fluid_scalars(d)) : DEM_OK);
     DEM_REQUIRE(!(d->coupled && d->driven), DEM_ERROR_INPUT,
                 "there are driven particles, which the balances of a coupled run do not know; make "

@@ -11,7 +11,7 @@
 #include "records/totals.h"
 #include "step/neighbor_rebuild.h"
 #include "step/sample_block.h"
-#include "step/step.h"
+#include "step/step_window.h"
 #include <math.h>
 #include <time.h>
 

@@ -1,6 +1,6 @@
 /*
- * step.c -- one time step of the particles: leapfrog in kick-drift form, and the coupling window of
- * steps around it. The function step() below is the table of phases:
+ * step.c -- one time step of the particles: leapfrog in kick-drift form. The function dem_step() below
+ * is the table of phases; step_window.c makes the steps of a coupling window.
  *
  * 1. Drift positions, rotate orientations, move walls.
  * 2. Send ghost data. All ranks agree on the largest speeds, on a request to stop and on errors
@@ -47,16 +47,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* The integration of particle scalars over h [s]; 0: none, they are only read. */
-static struct dem_scalar_step scalar_step(const struct dem_state *state, double h)
-{
-    return (struct dem_scalar_step){
-        .table = state->interaction_table.listed ? &state->interaction_table : NULL,
-        .contacts = &state->contacts,
-        .h = h,
-        .window = state->window.length};
-}
 
 /* ---- phases of the step ---------------------------------------------------------------------- */
 
@@ -209,32 +199,35 @@ static struct due what_is_due(const struct dem_state *state, int last)
     return due;
 }
 
-static const struct dem_applied_forces *applied_forces(const struct dem_state *state)
+struct dem_body_sweep dem_step_sweep(const struct dem_state *state, double kick, double h)
 {
-    return dem_applied_forces_exist(&state->applied_forces) ? &state->applied_forces : NULL;
+    return (struct dem_body_sweep){
+        .kick = kick,
+        .window = state->window.length,
+        .applied = dem_applied_forces_exist(&state->applied_forces) ? &state->applied_forces : NULL,
+        .time = state->time,
+        .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
+        .clumps = state->clumps.flow,
+        .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL,
+                    .contacts = &state->contacts,
+                    .h = h,
+                    .window = state->window.length}};
 }
 
 static struct dem_body_sweep sweep_options(const struct dem_state *state, const struct due *due,
                                            double kick)
 {
     const int flat = state->domain.flat[0] || state->domain.flat[1] || state->domain.flat[2];
-    struct dem_scalar_step scalars = scalar_step(state, state->dt);
+    struct dem_body_sweep sweep = dem_step_sweep(state, kick, state->dt);
 
-    scalars.heat = state->energy_balance->open
-                       ? &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
-                       : NULL;
-    return (struct dem_body_sweep){
-        .kick = kick,
-        .window = state->window.length,
-        .contacts = &state->contacts,
-        .sums_first = !due->fused,
-        .unobserved = due->fused && !due->observed,
-        .round = flat || state->cell.active ? NULL : state->domain.round,
-        .applied = applied_forces(state),
-        .time = state->time,
-        .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
-        .clumps = state->clumps.flow,
-        .scalars = scalars};
+    sweep.contacts = &state->contacts;
+    sweep.sums_first = !due->fused;
+    sweep.unobserved = due->fused && !due->observed;
+    sweep.round = flat || state->cell.active ? NULL : state->domain.round;
+    sweep.scalars.heat = state->energy_balance->open
+                             ? &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
+                             : NULL;
+    return sweep;
 }
 
 /* A value of a scalar out of its range ends the run. */
@@ -249,15 +242,6 @@ static int check_scalars(const struct dem_state *state, const struct dem_body_pa
     }
     snprintf(when, sizeof when, " in step %lld", (long long)state->steps);
     return dem_scalars_check(&state->particles, &state->interaction_table, when);
-}
-
-/* The velocities of rigid bodies, after the kick of the particles. */
-static void kick_clumps(struct dem_state *state, double kick)
-{
-    if (state->clumps.n > 0)
-    {
-        dem_kick_clumps(state, &state->particles, kick);
-    }
 }
 
 /* 5. Most particles are summed already, and in a fused step kicked; the pass knows which. */
@@ -281,11 +265,9 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     dem_timers_end_phase(state->timers, DEM_PHASE_SUMS);
     if (due->backup)
     {
-        const struct dem_body_sweep half = {
-            .kick = 0.5*state->dt, .window = state->window.length,
-            .applied = pass->sweep->applied, .time = state->time,
-            .clumps = state->clumps.flow, .scalars = scalar_step(state, state->dt)};
+        struct dem_body_sweep half = dem_step_sweep(state, 0.5*state->dt, state->dt);
 
+        half.energy_balance = NULL;    /* the step itself adds to it */
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_SUMS);
         status = dem_step_backup_ahead(state, dem_unagreed_keep_error(&state->unagreed, status),
                                        &half);
@@ -296,7 +278,10 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
         dem_wall_bodies_kick(state, pass->sweep->kick);
     }
     dem_bodies_work_until(pass, state->particles.n);
-    kick_clumps(state, pass->sweep->kick);
+    if (state->clumps.n > 0)
+    {
+        dem_kick_clumps(state, &state->particles, pass->sweep->kick);
+    }
     dem_domain_constrain(&state->domain, &state->particles);
     state->next_drift.done = pass->unobserved && pass->sweep->round;
     state->next_drift.max_speed = dem_drift_max_speed(&pass->speeds);
@@ -316,8 +301,7 @@ static int sample_averages(struct dem_state *state, int status)
     return status;
 }
 
-/* Of this rank. */
-static int ask_for_forces(struct dem_state *state)
+int dem_step_ask_for_forces(struct dem_state *state)
 {
     return dem_applied_forces_ask(&state->applied_forces, &state->particles, state->domain.length,
                                   state->time);
@@ -359,7 +343,7 @@ static void finish_step(struct dem_state *state, double since, int last, int *st
     const struct due due = what_is_due(state, last);
     const struct dem_body_sweep sweep = sweep_options(state, &due, kick);
 
-    const int asked = ask_for_forces(state);
+    const int asked = dem_step_ask_for_forces(state);
 
     /* 4. contacts */
     dem_bodies_begin_pass(&pass, &state->particles, &state->interaction_table.bodies, &sweep);
@@ -382,9 +366,7 @@ static void finish_step(struct dem_state *state, double since, int last, int *st
     }
 }
 
-/* Step k of the window, begun at `since` [s]; with a device, also those after it that it makes. *k:
-   the last one made. */
-static int step(struct dem_state *state, double since, int64_t *k, int *status)
+int dem_step(struct dem_state *state, double since, int64_t *k, int *status)
 {
     const int last = *k == state->window.steps;
     int64_t made = 0;
@@ -400,124 +382,4 @@ static int step(struct dem_state *state, double since, int64_t *k, int *status)
     }
     *k += made > 0 ? made - 1 : 0;
     return DEM_OK;
-}
-
-/* ---- the window ------------------------------------------------------------------------------ */
-
-/* The first half kick of a window, or the rest of it. */
-static void first_kick(struct dem_state *state, double kick)
-{
-    if (kick > 0.0)
-    {
-        dem_wall_statistics_add_kick(state, kick);
-        if (state->walls.bodies > 0)
-        {
-            dem_wall_bodies_kick(state, kick);
-        }
-        dem_sweep_bodies(&state->particles, &state->interaction_table.bodies,
-                         &(struct dem_body_sweep){
-                             .kick = kick,
-                             .window = state->window.length,
-                             .applied = applied_forces(state),
-                             .time = state->time,
-                             .energy_balance = state->energy_balance->open
-                                                   ? state->energy_balance
-                                                   : NULL,
-                             .clumps = state->clumps.flow,
-                             .scalars = scalar_step(state, 0.0)});
-        kick_clumps(state, kick);
-    }
-    dem_domain_constrain(&state->domain, &state->particles);
-    dem_timers_end_phase(state->timers, DEM_PHASE_BODIES);
-}
-
-/* The clock is read once in 16 steps. */
-static void tell_progress(struct dem_state *state)
-{
-    struct dem_progress *const q = &state->progress;
-
-    if (q->report && (state->steps%16 == 0 || state->device))
-    {
-        const double now = dem_clock_wall();
-
-        if (now - q->last >= q->seconds)
-        {
-            q->last = now;
-            q->report(q->self, state->time, state->steps);
-        }
-    }
-}
-
-/* The remaining steps of the window, or those until a stop is requested. */
-static int make_steps(struct dem_state *state)
-{
-    int status = DEM_OK;
-
-    state->window.stopped = state->window.half_step_ahead = state->next_drift.done = 0;
-    for (int64_t k = state->steps - state->window.steps_before + 1;
-         k <= state->window.steps && !state->window.stopped;
-         k++)
-    {
-        const double since = state->time;
-
-        state->time = state->window.start + (double)k*state->dt;
-        DEM_TRY(step(state, since, &k, &status));
-        tell_progress(state);
-    }
-    DEM_TRY(dem_agree(state, status));
-    state->window.half_step_ahead = state->steps - state->window.steps_before < state->window.steps;
-    if (!state->window.half_step_ahead)
-    {
-        dem_clump_flow_end_window(&state->clumps, &state->particles);
-        dem_bodies_end_window(&state->particles, &state->domain, state->window.length);
-        dem_scalars_end_window(&state->particles, &state->interaction_table);
-    }
-    dem_timers_end_advance(state->timers);
-    return DEM_OK;
-}
-
-/* Particles may have been loaded, restored or removed since the last window. */
-static int index_clumps(struct dem_state *state)
-{
-    return dem_column(&state->particles, DEM_COLUMN_CLUMP)
-               ? dem_agree(state, dem_index_clumps(state))
-               : DEM_OK;
-}
-
-int dem_step_window(struct dem_state *state, double dt, int64_t steps)
-{
-    /* s  an open window has left velocities ahead by this */
-    const double done = state->window.half_step_ahead ? 0.5*state->dt : 0.0;
-
-    state->window.length = dt*(double)steps;
-    state->dt = dt;
-    state->window.start = state->time;
-    state->window.steps_before = state->steps;
-    state->window.steps = steps;
-    dem_timers_begin_advance(state->timers, state->particles.n);
-    DEM_TRY(index_clumps(state));
-    dem_walls_move(&state->walls, state->time, 0.0);
-    dem_walls_begin_advance(&state->walls, state->window.length);
-    dem_bodies_begin_window(&state->particles, &state->interaction_table.bodies);
-    dem_scalars_begin_window(&state->particles, &state->interaction_table);
-    if ((state->particles.ghost_window.n > 0 ||
-         dem_column(&state->particles, DEM_COLUMN_ADDED_MASS)) &&
-        !state->stale)
-    {
-        DEM_TRY(dem_halo_refresh_window(&state->halo, &state->particles));
-    }
-    dem_flows_complete_departures(state->flows, 0.5*dt - done);
-    if (state->applied_forces.program.add)
-    {
-        DEM_TRY(dem_agree(state, ask_for_forces(state)));
-    }
-    first_kick(state, 0.5*dt - done);
-    return make_steps(state);
-}
-
-int dem_step_continue(struct dem_state *state)
-{
-    dem_timers_begin_advance(state->timers, state->particles.n);
-    DEM_TRY(index_clumps(state));
-    return make_steps(state);
 }

@@ -1,5 +1,5 @@
 /*
- * step.h -- one time step of the particles, and the coupling windows that group time steps.
+ * step.h -- one time step of the particles.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -7,13 +7,18 @@
 #define DEM_STEP_STEP_H
 
 #include "ranks/dem_state.h"
+#include "step/sweep_bodies.h"
 
-/* Collective. Advance `steps` time steps of dt [s] in one coupling window: a half kick at its start
-   and at its end, full kicks between, so that positions and velocities are synchronous before and
-   after. When `stop_request` of the state is not 0 on any rank, all ranks stop after the step in
-   which they learn it. The window stays open then, and dem_step_continue completes it with the same
-   bits. Another window started instead takes the velocities as they are, half a step ahead. */
-int dem_step_window(struct dem_state *, double dt, int64_t steps);
-int dem_step_continue(struct dem_state *);
+/* Collective. Step k of the window, begun at `since` [s]; with a device, also those after it that it
+   makes. *k: the last one made. *status: an error of this rank, which the next agreement tells to the
+   others. */
+int dem_step(struct dem_state *, double since, int64_t *k, int *status);
+
+/* The options that all sweeps of bodies have: a kick of `kick` [s], scalars integrated over h [s]; 0:
+   none, they are only read. */
+struct dem_body_sweep dem_step_sweep(const struct dem_state *, double kick, double h);
+
+/* Ask the program for its forces on the particles of this rank. */
+int dem_step_ask_for_forces(struct dem_state *);
 
 #endif

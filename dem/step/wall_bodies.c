@@ -161,12 +161,13 @@ void dem_wall_bodies_add_batch(struct dem_state *state, const struct dem_contact
             const double k = effects->pair.exponent*b->kn[c],
                          square = squared_arm(body, state->touches.touch[q->j].point),
                          arm = body->kind == DEM_WALL_BODY_HINGE ? square : 1.0,
+                         turning = body->turn.axes > 0 ? square*k : 0.0,
                          mass = i->inverse_mass > 0.0 ? 1.0/i->inverse_mass : i->mass;
 
             dem_binned_sum_add(&body->sum[1],
                                (const double[DEM_BINNED_SUMS]){
-                                   arm*k, body->turn.axes > 0 ? square*k : arm*sqrt(k*mass),
-                                   arm*b->eta[c], 1.0, 2.0*i->radius});
+                                   arm*k, arm*sqrt(k*mass), arm*b->eta[c], 1.0, 2.0*i->radius,
+                                   turning});
         }
     }
 }
@@ -204,6 +205,7 @@ static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TE
     s->dashpot = sum[DEM_WALL_BODY_DASHPOT];
     s->contacts = sum[DEM_WALL_BODY_CONTACTS];
     s->diameter = s->contacts > 0.0 ? sum[DEM_WALL_BODY_DIAMETERS]/s->contacts : 0.0;
+    s->turning = sum[DEM_WALL_BODY_TURNING];
     s->summed = !absent;
     if (absent)
     {
@@ -223,8 +225,7 @@ static const double max_free_path = 200.0;
 static int check_turn(const struct dem_state *state, const struct dem_wall *of,
                       const struct dem_wall_body *b)
 {
-    const double dt = state->dt, K = b->state.impedance,    /* DEM_WALL_BODY_TURNING */
-                 least = K*dt*dt/max_swing,
+    const double dt = state->dt, K = b->state.turning, least = K*dt*dt/max_swing,
                  I = dem_wall_turn_least_inertia(&b->turn);
     double w[3];
 

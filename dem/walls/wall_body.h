@@ -61,7 +61,7 @@ enum dem_wall_body_term
     DEM_WALL_BODY_DASHPOT,                      /* kg/s    eta; N m s */
     DEM_WALL_BODY_CONTACTS,                     /* 1 */
     DEM_WALL_BODY_DIAMETERS,                    /* m */
-    DEM_WALL_BODY_TURNING = DEM_WALL_BODY_IMPEDANCE    /* N m  K of the rotation of a free wall */
+    DEM_WALL_BODY_TURNING                       /* N m     K of the rotation of a free wall */
 };
 
 /* doubles only: a snapshot stores them as they are */
@@ -70,7 +70,7 @@ struct dem_wall_body_state
     double q[3], before[3];               /* m, rad: displacement along the axes; a step ago */
     double v[3];                          /* m/s, rad/s */
     double force[3];                      /* N, N m  of the particles along the axes */
-    double stiffness, impedance, dashpot, contacts, diameter;    /* the sums; mean diameter */
+    double stiffness, impedance, dashpot, contacts, diameter, turning;    /* the sums; mean diameter */
     double hold, height, near_time;       /* N, m, s  H; L, 0 before the target is near; for how long */
     double free_path, free_since;         /* m, s  path since the last contact, and when it began */
     double summed;                        /* 1: the sums are known; 0 before the first sweep */
@@ -107,6 +107,7 @@ struct dem_wall_body
     double axis[3][3], origin[3];         /* unit, orthogonal; m  of a hinge */
     double mass, damping;                 /* kg or kg m2, kg/s or N m s/rad; damping < 0: not given */
     double weighs;                        /* kg  for the weight; 0: none */
+    int weight_given;                     /* 1: the scene says whether it has weight */
     double centre[3];                     /* m   of mass, in the wall's frame: for a hinge */
     double force[3];                      /* N; N m; a servo's target N */
     struct dem_time_table *table;         /* of it instead, or NULL */

@@ -181,6 +181,13 @@ static int same_compound(const struct dem_compound_motion *now, const struct dem
     return formulas && tables && bodies;
 }
 
+/* Velocity and spin of the scene hold at the start of a run, not where the wall is now. */
+static void begin_at_rest(struct dem_wall_body_state *s)
+{
+    memset(s->v, 0, sizeof s->v);
+    memset(s->momentum, 0, sizeof s->momentum);
+}
+
 int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_wall_before *was,
                             double time, int *rows)
 {
@@ -206,6 +213,10 @@ int dem_walls_resume_motion(struct dem_walls *w, int wall, const struct dem_wall
     if (body)
     {
         now.compound->body->state = was->body;
+    }
+    else if (now.compound && now.compound->body)
+    {
+        begin_at_rest(&now.compound->body->state);
     }
     if (!same)
     {

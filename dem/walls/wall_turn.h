@@ -6,6 +6,7 @@
  *   drift   R by rotations about the principal axes with L kept (particles/clump.h)
  *
  *   L       angular momentum about the centre, in space                         [kg m2/s]
+ *   h       length of a kick                                                    [s]
  *   T, t    given torque; torque of the particles in the last sweep             [N m]
  *   w       spin R I^-1 R^T L; w+ after the kick                                [1/s]
  *   c       damping coefficient                                                 [N m s/rad]
@@ -15,6 +16,9 @@
  *
  * Limits: K dt^2 < 0.04 I in each sweep, with K = sum k d^2 over the contacts, d their distances from the
  * centre or the axis; |w| dt <= 0.3.
+ *
+ * Sums over the contacts and limits: step/wall_bodies.c; mass, centre and inertia from the density:
+ * case/setup_bodies.c.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,6 +1,6 @@
 /*
  * test_wall_turn.c -- free walls that rotate about their centre of mass: Euler's top, mass and inertia of solids,
- * the impact of a sphere, damping, one axis, restart.
+ * the impact of a sphere, damping, one axis, restart, limits.
  *
  * Euler's top: I (1 2 3), spin (1/2 0 1) has the period 4 K(1/12) = 6.420600 (test_clumps.c).
  * A block a x b x c of mass m has the inertia m/12 (b^2 + c^2) about its first axis.
@@ -267,6 +267,65 @@ static void restart(void)
     unlink(path);
 }
 
+static char *moved_by(const char *motion)
+{
+    return world_text("%s effects { hertz {} } walls { w { type triangles; corners (%s); motion { %s } } } time { step "
+                      "1e-3; }", glass, block(edge, still, origin), motion);
+}
+
+/* A wall that a motion has turned by a quarter: free from the snapshot on, it begins at rest. */
+static void edited(void)
+{
+    struct dem *d = energy_world(moved_by("type rotation; origin (0 0 0); axis (0 0 1); omega 1.5707963267948966;"), 0, NULL);
+    char path[] = "/tmp/turn.XXXXXX";
+
+    world_make_file(path);
+    world_run(d, 1.0);
+    WORLD_TRY(dem_save(d, path));
+    dem_free(d);
+    struct dem_case *const c = world_begin(
+        moved_by("type free; rotations (x y z); density 1000; velocity (1 0 0); spin (1 2 3); torque (1e-9 0 0);"));
+
+    WORLD_TRY(dem_case_load(c, path));
+    d = world_start(c);
+    TAP_NEAR(length(position(d).spin) + position(d).velocity[0], 0.0, 0.0, "made free in an edited scene, it begins at rest");
+    world_run(d, 1e-3);
+    world_run(d, 1e-3);
+    const struct dem_wall_position p = position(d);
+    const double m = density*edge[0]*edge[1]*edge[2], I = m/12.0*(edge[0]*edge[0] + edge[2]*edge[2]);
+
+    TAP_NEAR(p.spin[0]*I/1e-9/1.5e-3, 1.0, 1e-6, "and turns with the inertia of how it stands");
+    dem_free(d);
+    unlink(path);
+}
+
+/* 0.2 rad in a step, with a tip 50 radii away */
+static void too_fast(void)
+{
+    static const struct dem_new_particle far = {.diameter = 2e-3, .material = "glass", .position = {1.0, 1.0, 1.0}};
+    struct dem *const d = world(
+        world_text("%s effects { hertz {} } walls { w { type triangles; corners ((0 0 0) (0.05 0 0) (0 0.001 0)); motion { "
+                   "type free; mass 1; rotations (z); inertia (1 1 1); centre (0 0 0); spin (0 0 2e5); } } } time { step "
+                   "1e-6; }", glass), 1, &far);
+
+    TAP_OK(dem_advance(d, 1e-6) == DEM_ERROR_NUMBER && strstr(dem_error_text(), "a wall moves by"), "too fast at its tip: %s",
+           dem_error_text());
+    dem_free(d);
+}
+
+static void weight_in_fluid(const char *motion, int refused)
+{
+    struct dem *const d = world(
+        world_text("%s effects { hertz {} stokesDrag {} } fluid { velocity (0 0 0); viscosity 1e-3; density 1000; } walls { w { type "
+                   "triangles; corners ((0 0 0) (1 0 0) (0 1 0)); motion { %s } } } time { step 1e-6; }", glass, motion),
+        0, NULL);
+    const int status = dem_advance(d, 1e-6);
+
+    TAP_OK(refused ? status == DEM_ERROR_INPUT && strstr(dem_error_text(), "weight no") : status == DEM_OK, "in a fluid: %s",
+           motion);
+    dem_free(d);
+}
+
 /* ---- refusals -------------------------------------------------------------------------------- */
 
 static void refuses(const char *entries, const char *words)
@@ -285,6 +344,12 @@ int main(void)
     impacts();
     damped();
     restart();
+    edited();
+    too_fast();
+    weight_in_fluid("type free; mass 1;", 1);
+    weight_in_fluid("type free; mass 1; weight yes;", 0);
+    weight_in_fluid("type hinge; origin (0 0 0); axis (1 0 0); inertia 1; mass 1; centre (0 0 0);", 1);
+    weight_in_fluid("type hinge; origin (0 0 0); axis (1 0 0); inertia 1; mass 1; centre (0 0 0); weight no;", 0);
     refuses("mass 1; rotations (x y); inertia (1 1 1); centre (0 0 0);", "give one or three");
     refuses("mass 1; rotations (x y z); inertia (1 1 3); centre (0 0 0);", "at most the sum of the others");
     refuses("mass 1; rotations (x y z); inertia (1 1); centre (0 0 0);", "give three (xx yy zz)");

@@ -60,7 +60,7 @@ walls
 {
     lid { type triangles; corners ((-0.001 -0.001 0.0032) (0.021 -0.001 0.0032) (0.021 0.021 0.0032)
                                    (-0.001 -0.001 0.0032) (0.021 0.021 0.0032) (-0.001 0.021 0.0032));
-          motion { type free; axes (z); mass 2e-3; damping 0.2; start press; } }
+          motion { type free; axes (z); mass 2e-3; weight yes; damping 0.2; start press; } }
 }""")
 case.remove("constant/g")
 case.run("blockMesh")
@@ -80,6 +80,8 @@ claim_ran("runs on two ranks", case)
 balance("two ranks", "processor0/")
 continued("two ranks", "processor0/", 2)
 
+case.sub("constant/demProperties", "weight yes; ", "")
+claim_refused("without buoyancy, a weight is refused that the scene does not name", case, "weight no", "demPimpleFoam")
 case.sub("constant/demProperties", "walls\n{", "walls\n{\n    walls { material glass; motion { type free; mass 1; } }")
 claim_refused("a patch moved by force is refused", case, "motion", "demPimpleFoam")
 finish()
