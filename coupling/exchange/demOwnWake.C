@@ -203,8 +203,13 @@ void Foam::demOwnWake::toParticles(const volScalarField& e)
         column[DEM_OWN_WAKE_VOID] = fluid_.void_fraction[i] - cells;
         if (wakes_ && twoWay)
         {
-            setWake(i, q[i], own[i]);
+            setWake(i, q[i], own[i]);           // reads the last r
         }
+        else
+        {
+            column[0] = column[1] = column[2] = 0;
+        }
+        column[DEM_OWN_WAKE_DRAG] = 0;
         if (inverse.size())
         {
             setRatio(i, withoutOwn(1/inverse[i], own[i])/fluid_.void_fraction[i]);
@@ -218,7 +223,7 @@ void Foam::demOwnWake::setRatio(const label i, const scalar ratio)
 {
     double* column = fluid_.own_wake + width*i;
     const scalar r = min(max(ratio, minRatio), maxRatio);
-    const vector w(wakes_ ? wake(i) : vector(Zero));
+    const vector w(wake(i));
     const vector slip(vectorAt(fluid_.velocity, i) - w - velocity(view_, i));
 
     for (direction k = 0; k < 3; ++k)

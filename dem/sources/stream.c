@@ -373,10 +373,16 @@ double dem_stream_mean_mass(const struct dem_stream *s, const struct dem_interac
                                 dem_size_distribution_mean_volume(&s->sizes);
 }
 
+/* How far inside the mesh a centre starts at a patch [m]: all spheres of a clump must lie in a cell. */
+static double depth_behind_patch(const struct dem_stream *s, double radius)
+{
+    return !s->inlet.patch ? 0.0 : ((s->clump.shape ? 1.0 : 0.0) + behind_face)*radius;
+}
+
 double dem_stream_max_travel(const struct dem_stream *s, double ago, double radius)
 {
     /* twice, to be above any round-off */
-    const double behind = s->inlet.patch ? 2.0*behind_face*radius : 0.0;
+    const double behind = 2.0*depth_behind_patch(s, radius);
     double fastest = 0.0;
 
     for (size_t t = 0; s->with_fluid && t < s->inlet.n; t++)
@@ -422,7 +428,7 @@ int dem_stream_draw_position(const struct dem_stream *s, const struct dem_stream
     }
     for (int k = 0; k < 3; k++)
     {
-        const double behind = s->inlet.patch ? behind_face*t->radius*inward[k] : 0.0;
+        const double behind = depth_behind_patch(s, t->radius)*inward[k];
 
         start[k] += behind;
         x[k] += behind;

@@ -49,12 +49,11 @@ void dem_wall_bodies_drift(struct dem_state *state)
     count_work(state, &w);
 }
 
-/* Outside of its times, while the wall is absent, and until a sweep has summed its contacts after it
-   has appeared or has got its motion at a restart. */
+/* Outside of its times, and while the wall is absent. */
 static int rests(const struct dem_state *state, const struct dem_wall *of,
                  const struct dem_wall_body *b)
 {
-    return of->absent || state->time < b->start || state->time >= b->end || b->state.summed == 0.0;
+    return of->absent || state->time < b->start || state->time >= b->end;
 }
 
 static void kick_all(struct dem_state *state, double kick, struct dem_wall_body_work *w)
@@ -68,7 +67,12 @@ static void kick_all(struct dem_state *state, double kick, struct dem_wall_body_
 
         in.rests = rests(state, of, b);
         dem_pose_point(&state->walls.frame[of->frame].pose, b->centre, in.centre);
-        dem_wall_body_kick(b, &in, w);
+        /* it keeps its velocity until a sweep has summed its contacts after it has appeared or has got
+           its motion at a restart */
+        if (in.rests || b->state.summed > 0.0)
+        {
+            dem_wall_body_kick(b, &in, w);
+        }
     }
 }
 

@@ -86,6 +86,10 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
     {
         return DEM_OK;
     }
+    DEM_REQUIRE(!c || !c->body || c->body->turn.axes == 0, DEM_ERROR_INPUT,
+                "wall %s rotates freely about (%g %g %g), and may come to any place of domain, which is periodic "
+                "along %c; remove %c from domain/periodic, or let it rotate about %c only", of->name, about[0],
+                about[1], about[2], "xyz"[axis], "xyz"[axis], "xyz"[axis]);
     dem_walls_swept_extent(w, t, axis, extent);
     for (int side = 0; side < 2; side++)
     {

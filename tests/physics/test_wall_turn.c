@@ -296,6 +296,17 @@ static void edited(void)
 
     TAP_NEAR(p.spin[0]*I/1e-9/1.5e-3, 1.0, 1e-6, "and turns with the inertia of how it stands");
     dem_free(d);
+    d = world(world_text("%s effects { hertz {} } time { step 1e-3; }", glass), 0, NULL);
+    world_run(d, 1e-3);
+    WORLD_TRY(dem_save(d, path));
+    dem_free(d);
+    struct dem_case *const next = world_begin(moved_by("type free; rotations (z); density 1000; spin (0 0 3);"));
+
+    WORLD_TRY(dem_case_load(next, path));
+    d = world_start(next);
+    world_run(d, 1e-3);
+    TAP_NEAR(position(d).spin[2], 3.0, 1e-12, "a new wall of the edited scene has its spin");
+    dem_free(d);
     unlink(path);
 }
 
@@ -361,6 +372,6 @@ int main(void)
                   "no centre about which");
     world_refused(world_text("%s effects { hertz {} } domain { x (0 1); periodic (x); } walls { w { type triangles; corners "
                              "((0.1 0 0) (0.2 0 0) (0.1 0.1 0)); motion { type free; mass 1; rotations (z); inertia "
-                             "(1 1 1); centre (0 0 0); } } } time { step 1e-4; }", glass), "only a rotation about x is periodic");
+                             "(1 1 1); centre (0 0 0); } } } time { step 1e-4; }", glass), "or let it rotate about x only");
     TAP_DONE;
 }

@@ -63,8 +63,8 @@ static const struct dem_setting settings[] = {
     DEM_SETTING(dem_stokes_damping, viscosity, "Pa s", 0.0, 0.0, INFINITY,
                 "of the fluid in the gap; 0: of the run's fluid"),
     DEM_SETTING_AS(dem_stokes_damping, added_mass, "addedMass", "1", -1.0, 0.0, 10.0,
-                   "C_M: mass m + C_M rho_f V in St; -1: 0.5 where rho_f is known, as in the "
-                   "fit of beta; with virtualMass its own"),
+                   "C_M: mass m + C_M rho_f V in St; 0: none; not given (-1): 0.5 if rho_f is known, "
+                   "as in the fit of beta; with virtualMass its own"),
     DEM_SETTING_AS(dem_stokes_damping, fluid_density, "fluidDensity", "kg/m3", 0.0, 0.0, INFINITY,
                    "rho_f for addedMass; 0: of the run's fluid"),
     DEM_SETTING_CHOICE(

@@ -179,10 +179,11 @@ case.run("demInterFoam")
 found = [path.name for path in straight.iterdir() if path.is_file() and path.name != "alpha.water"
          and not agrees(path, case/end/path.name)]
 claim("pitch: continues with the bits of the uninterrupted run, fields", not found, *found)
-# interfaceProperties takes a threshold of grad alpha from the cells' volumes at the start of a run: its last bit is
-# that of the turned mesh and shows only where alpha is far below round-off
+# interfaceProperties takes a threshold of grad alpha from the mean of the cells' volumes at the start of a run, which
+# has other last digits in the turned mesh: one cell, of alpha 3e-41, differs by 8e-55. A difference of 1e-45 is round-off
+# of an alpha of 1e-29: all larger ones have the same bits
 off = difference(case.field(straight/"alpha.water"), case.interior("alpha.water"))
-claim("pitch: continues with the same alpha (1e-30)", off < 1e-30, off)
+claim("pitch: continues with the same alpha (1e-45)", off < 1e-45, off)
 claim("pitch: continues with the bits of the uninterrupted run, particles",
       lambda: snapshot_hash(straight/"uniform/dem.snapshot") == snapshot_hash(case/end/"uniform/dem.snapshot"))
 case.edit("system/controlDict", startTime=0)
