@@ -59,7 +59,7 @@ static int refuse_entries(const struct dem_case *c)
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"a drag law with the mean diameter around a particle",
           (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_MEAN_DIAMETER) != 0},
-        {"coupling/ownWake", c->own_wake},
+        {"coupling/ownWake or coupling/lawWidth", c->own_wake},
         {"write/energy in a fluid", d->with_fluid && c->energy},
     };
 

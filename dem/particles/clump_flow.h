@@ -20,6 +20,8 @@
  *   t_k, o_k   w_k times the rotational drag coefficient, its target      [kg m2/s], [1/s]
  *   J_k        impulse of drag on sphere k, whose opposite acts on the fluid           [N s]
  *
+ * step/clump_batch.c fills the rows.
+ *
  * As for spheres (step/sweep_bodies.c) the kick is bounded for any h, and exact if only the body moves.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -8,11 +8,16 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "particles/clump.h"
 #include "particles/particles.h"
 #include "particles/principal_axes.h"
 #include "particles/sphere_union.h"
 #include <math.h>
 #include <string.h>
+
+/* of the bound: thinner shapes are flat, and centres nearer to each other equal, as a union has its
+   centre to 1e-5 */
+#define CENTRE_ERROR 1e-4
 
 /* See clump_shape.h. */
 static double step_volume(const struct dem_clump_shape *s)
@@ -51,7 +56,7 @@ static double centre_shares(struct dem_clump_shape *s, int a)
         square += s->share[k]*d*d;
         most = fmax(most, fabs(d));
     }
-    if (square <= 1e-20*s->reach*s->reach)
+    if (square <= CENTRE_ERROR*CENTRE_ERROR*s->bound*s->bound)
     {
         return 0.0;
     }
@@ -69,10 +74,11 @@ static double centre_shares(struct dem_clump_shape *s, int a)
     return fabs(centre);
 }
 
-/* The shares by r^3, then with the body's centre, axis by axis; by r^3 if no shares above 0 have it. */
+/* The shares by r^3, then with the body's centre, axis by axis. What is left, as the centre of the union is
+   not exact, moves the body's centre; more is refused. */
 static int find_shares(struct dem_clump_shape *s)
 {
-    double off = INFINITY;
+    double off = INFINITY, left[3] = {0.0, 0.0, 0.0}, scene[3];
 
     DEM_TRY(DEM_NEW(s->share, s->n));
     for (size_t k = 0; k < s->n; k++)
@@ -83,9 +89,27 @@ static int find_shares(struct dem_clump_shape *s)
     {
         off = fmax(centre_shares(s, 0), fmax(centre_shares(s, 1), centre_shares(s, 2)));
     }
-    for (size_t k = 0; k < s->n && off < INFINITY && off > 1e-9*s->reach; k++)
+    for (size_t k = 0; k < 3*s->n; k++)
     {
-        s->share[k] = dem_sphere_volume(s->sphere[k][3])/s->solid;
+        left[k%3] += s->share[k/3]*s->offset[k/3][k%3];
+    }
+    DEM_REQUIRE(dem_vec_norm(left) <= CENTRE_ERROR*s->bound, DEM_ERROR_INPUT,
+                "shapes/%s: no weights of the spheres have the centre of their union, the best is %g m beside "
+                "it; leave out spheres that others nearly hold", s->name, dem_vec_norm(left));
+    if (dem_vec_norm(left) <= 1e-12*s->bound)
+    {
+        return DEM_OK;
+    }
+    s->reach += dem_vec_norm(left);
+    s->bound += dem_vec_norm(left);
+    dem_clump_rotate(s->principal, left, scene);
+    for (size_t k = 0; k < 3*s->n; k++)
+    {
+        s->offset[k/3][k%3] -= left[k%3];
+    }
+    for (int a = 0; a < 3; a++)
+    {
+        s->centre[a] += scene[a];
     }
     return DEM_OK;
 }

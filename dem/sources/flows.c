@@ -259,10 +259,6 @@ int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_p
     struct dem_particle_share share;
     double gravity[3], v[3];
 
-    if (!dem_clump_counts(q))
-    {
-        return DEM_OK;    /* the first sphere of its body counts */
-    }
     dem_particle_share(&p->particles, i, &share);
     DEM_TRY(DEM_GROW(f->departure, f->departure_capacity, f->departures + 1));
     struct dem_departure *const new = &f->departure[f->departures++];
@@ -270,6 +266,7 @@ int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_p
     dem_interaction_table_gravity(&p->interaction_table, gravity);
     *new = (struct dem_departure){.id = q->id,
                                   .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow,
+                                  .counts = dem_clump_counts(q),
                                   .mass = share.mass};
     for (int k = 0; k < 3; k++)
     {
@@ -311,8 +308,11 @@ int dem_flows_sum_departures(struct dem_state *p)
     {
         struct dem_snapshot_flow *const row = &f->flow[all[k].flow];
 
-        row->count++;
-        dem_residence_add(f, all[k].flow, all[k].age);
+        if (all[k].counts)    /* the first sphere of a body */
+        {
+            row->count++;
+            dem_residence_add(f, all[k].flow, all[k].age);
+        }
         row->mass += all[k].mass;
         row->energy += all[k].energy;
         for (int a = 0; a < 3; a++)

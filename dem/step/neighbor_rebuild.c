@@ -207,6 +207,7 @@ static int insert_arrivals(struct dem_state *state)
                               &backward);
         pass.next = first;
         dem_bodies_work_until(&pass, status ? first : state->particles.n);
+        /* bodies by gravity only: their slip is off by the drag of half a step, of order h b/M, once */
         for (size_t i = first; dem_column(&state->particles, DEM_COLUMN_CLUMP) && i < state->particles.n; i++)
         {
             dem_clump_fall(&state->particles, i, gravity, -0.5*state->dt);

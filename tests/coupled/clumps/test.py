@@ -5,6 +5,7 @@
 - A body of one sphere moves as the sphere.
 - A lattice of heavy pairs of spheres in a duct: the pressure drop is n b U/e^2 of Hoelzer and Sommerfeld's law with the
   sphericities of two touching spheres, in flow along their axes and across them.
+- Bodies that flow out of a duct leave as a whole, when their centre has passed the outlet.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -146,4 +147,45 @@ for name, turn, areas in (("along", "0.70710678118654752 0 0.70710678118654752 0
     found = (p[4] - p[12])/(8*width)
     # the table of areas, 3e-3; upwind cells
     claim(f"flow {name}: {found:.4g} Pa/m", close(found, drop(*areas), 5e-3), drop(*areas))
+
+# ---- an outlet ---------------------------------------------------------------------------------------
+
+
+def outflow(what):
+    """Claim that bodies have left whole, and that none is beyond by more than a step; the spheres at the end."""
+    table = case.table("postProcessing/dem/0/flows.csv")
+    here = case.particles("0.04", "mass", "positions")
+    body, mass, left = here[:, 0].astype(int)//3, here[:, 1], table["particles"][-1]
+    claim(f"{what}: {left:g} of 300 bodies have left, and the others are whole",
+          100 < left < 290 and len(here) == 3*(300 - left) and set(np.bincount(body)) <= {0, 3}, len(here))
+    bodies = np.unique(body)
+    each = np.bincount(body, mass)[bodies]
+    claim(f"{what}: mass that left and mass that is there add up",
+          close(mass.sum() + table["mass"][-1], 300*each[0], 1e-8))
+    z = np.bincount(body, mass*here[:, -1])[bodies]/each
+    claim(f"{what}: spheres are beyond the outlet, centres by less than a step",
+          z.max() < 0.0244 and here[:, -1].max() > 0.024, (z.max(), here[:, -1].max()))
+    return here
+
+
+case = Case("outlet")
+case.controls(0.04, 1e-3, nu=1e-6)
+case.duct((0.012, 0.012, 0.024), (6, 6, 12), 0.4, 0.4)
+case.properties("light { density 1000; youngsModulus 1e5; }", "hertz {} stokesDrag {} pressureGradient {}",
+                "all { type random; shape bent; count 300; seed 3; velocity (0 0 0.4); spin (0 90 0);"
+                " min (0 0 0); max (0.012 0.012 0.024); }", "rho 1000; kernel diffusion;",
+                re.search("shapes.*", scene)[0] + " outlets { out { patch outlet; } }")
+case.run("demPimpleFoam")
+claim_ran("outlet: runs", case)
+exchange, volume = (worst(case.log(), f"{word} error") for word in ("exchange", "volume"))
+claim("outlet: exchange closes", exchange < 1e-12, exchange)
+claim("outlet: volume is kept", volume < 1e-12, volume)
+alone = outflow("outlet")
+case.remove("0.0*")
+case.run("decomposePar")
+case.run("demPimpleFoam", ranks=2)
+claim_ran("outlet: runs on two ranks", case)
+case.run("reconstructPar", "-latestTime")
+again = outflow("outlet, two ranks")
+claim("outlet: the same spheres are left on two ranks", np.array_equal(alone[:, 0], again[:, 0]))
 finish()
