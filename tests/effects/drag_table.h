@@ -113,7 +113,7 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
 
     dem_effect_apply_to_bodies(law, settings, &b);
     TAP_OK(b.drag[1] == 2.0*once, "adds to the value in the column");
-    TAP_OK(law->drag != DEM_DRAG_NONE && (law->needs & ~DEM_NEEDS_FORM) == DEM_NEEDS_FLUID,
+    TAP_OK(law->drag != DEM_DRAG_NONE && (law->needs | DEM_NEEDS_FORM) == (DEM_NEEDS_FLUID | DEM_NEEDS_FORM),
            "it is declared as a drag law that needs the fluid");
 }
 
