@@ -185,6 +185,7 @@ def store(text, *files, name="table", result="result.csv"):
     page = Path("results.md")
     before, found, rest = page.read_text().partition(f"<!-- {name} -->\n")
     if not found:
+        print(f"results.md has no <!-- {name} -->: the table is not stored there")
         return
     after = rest.partition("<!-- end -->")[2]
     page.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")

@@ -286,10 +286,10 @@ void Foam::demInletsOutlets::judgeBodies
         }
     }
 
-    // The shares of the mass have the centre of the body
+    // The mean of the spheres by mass is the centre of mass of the body
     scalarField mass(sphere.size(), Zero);
     pointField centre(sphere.size(), Zero);
-    labelList bodyOf(label(view.n), -1);
+    labelList bodyOf(bodies.empty() ? 0 : label(view.n), -1);
     forAll(bodyOf, i)
     {
         const auto found = bodies.find(clumpOf(view, i));

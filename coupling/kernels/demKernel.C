@@ -289,11 +289,6 @@ public:
         d_ = d;
     }
 
-    virtual bool hasLawWidth() const
-    {
-        return true;
-    }
-
     virtual void setLawWidth(const scalar b)
     {
         scalar c, a;

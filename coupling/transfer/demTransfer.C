@@ -12,15 +12,12 @@
 void Foam::demTransfer::read()
 {
     width_ = kernel_().uses("width") ? coupling_.getOrDefault<scalar>("width", 3) : 0;
-    lawWidth_ = kernel_().hasLawWidth() ? coupling_.getOrDefault<scalar>("lawWidth", 0) : 0;
+    lawWidth_ = kernel_().uses("lawWidth") ? coupling_.getOrDefault<scalar>("lawWidth", 0) : 0;
     minVoidFraction_ = coupling_.getOrDefault<scalar>("minVoidFraction", 0.2);
 
     for (const word entry : {"base", "width", "lawWidth", "diameter"})
     {
-        const bool used =
-            entry == "lawWidth" ? kernel_().hasLawWidth() : kernel_().uses(entry);
-
-        if (!used && coupling_.found(entry))
+        if (!kernel_().uses(entry) && coupling_.found(entry))
         {
             FatalIOErrorInFunction(coupling_)
                 << "coupling/" << entry << " is a setting of the smoothing, which kernel "

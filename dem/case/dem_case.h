@@ -62,7 +62,6 @@ int dem_api_position_mesh_walls(struct dem *);
 /* Collective, when the walls have been read: masses of free walls that are solids, and their spins. */
 int dem_api_begin_bodies(struct dem *);
 
-
 /* Collective. Read the scene and check it, without particles. */
 int dem_api_read_scene(struct dem_case *);
 

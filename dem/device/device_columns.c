@@ -6,6 +6,12 @@
  */
 #include "device/device_columns.h"
 #include "core/error.h"
+#include "dem_types.h"
+#include "device/shared.h"
+
+_Static_assert((int)DEM_DEVICE_WAKE == (int)DEM_OWN_WAKE_WIDTH &&
+                   (int)DEM_DEVICE_WAKE_DRAG == (int)DEM_OWN_WAKE_DRAG,
+               "fluid.cl reads the column own_wake");
 
 /* Columns that the kernel of particles reads; in `changes` steps add to them. */
 static const struct

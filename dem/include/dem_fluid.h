@@ -101,9 +101,9 @@ struct dem_fluid
                                             the particle has not received yet */
     double *own_wake;                    /* in/out  11 each: part of `velocity` that effects do not
                                             see but the exchange does [m/s]; 6 numbers for the
-                                            program; r - 1, with the slip of the effects r times
-                                            the slip of the exchange, and drag, unless it is
-                                            whole, r times the law's [1]; part of `void_fraction`
+                                            program; r - 1 [1], r the slip that effects see over
+                                            the slip of the exchange: drag is multiplied by r,
+                                            unless it is whole; part of `void_fraction`
                                             above the cells' [1]. NULL without
                                             dem_case_fluid_own_wake; 0 for a new particle */
 };

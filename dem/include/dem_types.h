@@ -49,8 +49,8 @@ struct dem_new_particle
 
 enum
 {
-    DEM_OWN_WAKE_DRAG = 9,   /* place of a number in own_wake of struct dem_fluid */
-    DEM_OWN_WAKE_VOID = 10,
+    DEM_OWN_WAKE_DRAG = 9,   /* index of r - 1 in own_wake of struct dem_fluid */
+    DEM_OWN_WAKE_VOID = 10,  /* of the part of void_fraction */
     DEM_OWN_WAKE_WIDTH = 11  /* numbers of a particle in it */
 };
 

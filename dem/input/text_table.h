@@ -32,7 +32,8 @@ struct dem_text_table
     int (*take)(struct dem_text_table *, const double *number);
     void *data;    /* theirs */
 
-    /* found: the number of a row in the column of integers; the line; the name of each column; 1 for names that have a column */
+    /* found: the number of a row in the column of integers; the line; the name of each column; 1 for
+       names that have a column */
     int64_t integer;
     int line, columns, what[DEM_TEXT_TABLE_COLUMNS], present[DEM_TEXT_TABLE_COLUMNS];
 };

@@ -8,13 +8,14 @@
 #include "core/hash.h"
 #include "core/memory.h"
 #include "input/text_table.h"
+#include <fenv.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-/* Times and values lie below it, so that slopes are finite. */
+/* Times and values lie below it. */
 static const double limit = 1e15;
 
 /* The time is the last of the names. */
@@ -121,7 +122,11 @@ int dem_time_table_read(struct dem_time_table **made, const char *file, const ch
         dem_time_table_free(t);
         return status;
     }
+    fenv_t traps;
+
+    feholdexcept(&traps);    /* rows may be so close that a slope is infinite: told by the limits of speed */
     find_slopes(t);
+    fesetenv(&traps);
     *made = t;
     return DEM_OK;
 }

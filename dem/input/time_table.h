@@ -6,8 +6,8 @@
  *     0.1, 0, 0, -2e-3, 0
  *
  * The first row names the columns, in any order; `time` [s] is one of them and rises. A column that
- * the file does not have is 0. The form of the file: input/text_table.h. Before the first row and after the last, quantities have the
- * values of that row.
+ * the file does not have is 0. The form of the file: input/text_table.h. Before the first row and
+ * after the last, quantities have the values of that row.
  *
  *   linear   straight lines from row to row
  *   smooth   cubics with slopes that are continuous at the rows, and no extremum between two rows:

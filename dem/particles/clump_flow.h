@@ -15,7 +15,7 @@
  *
  *   b_k, u_k   w_k times the drag coefficient of the law, fluid velocity               [kg/s], [m/s]
  *   v_k        velocity of sphere k                                                    [m/s]
- *   F, f_k     all forces but drag; those of sphere k besides contacts                 [N]
+ *   F, f_k     all forces but drag; the same on sphere k, without contacts             [N]
  *   T          moment of the contacts about the centre                                 [N m]
  *   t_k, o_k   w_k times the rotational drag coefficient, its target      [kg m2/s], [1/s]
  *   J_k        impulse of drag on sphere k, whose opposite acts on the fluid           [N s]
@@ -23,6 +23,7 @@
  * step/clump_batch.c fills the rows.
  *
  * As for spheres (step/sweep_bodies.c) the kick is bounded for any h, and exact if only the body moves.
+ * The fluid receives the exact opposite of the linear momentum; angular momentum is exchanged to O(z_r).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -65,8 +66,8 @@ const struct dem_clump_form *dem_clump_flow_form(const struct dem_clump_flow *,
 void dem_clump_flow_kick(const struct dem_clump_flow *, const struct dem_clumps *,
                          struct dem_particles *, double h);
 
-/* At the end of a window: decay factors of the spheres, from those of their bodies, so that the
-   response of a body (step/body_window.c) is the sum over its spheres. */
+/* At the end of a window: give each sphere the decay factor of its body. The response of a body
+   (step/body_window.c) is then the sum over its spheres. */
 void dem_clump_flow_end_window(const struct dem_clumps *, struct dem_particles *);
 
 #endif

@@ -12,8 +12,8 @@
  * A and A_l at the nodes, and linear interpolation between them. A is a sum over lines across the
  * discs that the spheres project, exact along each line; S counts points of a spiral on each sphere
  * that lie in no other one. Errors: A and S 2e-4; interpolation 3e-3, 1.6e-2 at a direction along which
- * discs hide each other, where A has a cusp. Only + - * / and square
- * roots, so all machines give the same bits.
+ * discs hide each other, where A has a cusp. Only + - * /, square
+ * roots and dem_pow, so all machines give the same bits.
  *
  * Source: Hoelzer and Sommerfeld, Powder Technol. 184 (2008) 361, for the definitions.
  *

@@ -9,6 +9,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "records/grid_averages.h"
+#include "records/totals.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
@@ -122,8 +123,7 @@ static void particle_values(const struct dem_grid_columns *s, const struct dem_s
     const struct dem_clump *const b = dem_clump_of(&p->particles, particle);
     const double *const v = b ? b->v : q->v;
 
-    /* the masses of its spheres add up to the mass of a clump, the volumes do not where they overlap */
-    out[VOLUME] = b ? q->mass/p->interaction_table.material[q->material].density : dem_particle_volume(q);
+    out[VOLUME] = dem_totals_volume(p, q);
     out[MASS] = q->mass;
     for (int k = 0; k < 3; k++)
     {

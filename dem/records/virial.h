@@ -10,7 +10,7 @@
  * tension positive: two spheres that are pressed together have f along -l, so W < 0. With forces in
  * balance it equals the mean of the stress inside the particles. After Christoffersen, Mehrabadi
  * and Nemat-Nasser, J. Appl. Mech. 48 (1981) 339, with each half of a branch vector given to its
- * particle. Of a clump each sphere has the contacts that act on it.
+ * particle. Each sphere of a clump has the contacts that act on it.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -96,7 +96,7 @@ static int find_triangle(struct dem_state *state, int facet, const double x[3], 
     return DEM_OK;
 }
 
-/* 2 v_n v_t - 3 v_n^2, from an angle of tan = 1/3 on v_t^2/3 [m2/s2] */
+/* f of wall_wear.h [m2/s2] */
 static double finnie(double vn, double vt)
 {
     return 3.0*vn <= vt ? vn*(2.0*vt - 3.0*vn) : vt*vt/3.0;

@@ -51,7 +51,7 @@ static void add_range(struct dem_text *t, const struct dem_setting *f)
     }
     else if (isfinite(min))
     {
-        dem_text_add(t, ", %s %g", *above ? ">" : ">=", min);
+        dem_text_add(t, ", %s %g", f->min == DEM_ABOVE_ZERO ? ">" : ">=", min);
     }
 }
 

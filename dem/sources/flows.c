@@ -266,7 +266,6 @@ int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_p
     dem_interaction_table_gravity(&p->interaction_table, gravity);
     *new = (struct dem_departure){.id = q->id,
                                   .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow,
-                                  .counts = dem_clump_counts(q),
                                   .mass = share.mass};
     for (int k = 0; k < 3; k++)
     {
@@ -308,7 +307,7 @@ int dem_flows_sum_departures(struct dem_state *p)
     {
         struct dem_snapshot_flow *const row = &f->flow[all[k].flow];
 
-        if (all[k].counts)    /* the first sphere of a body */
+        if (all[k].mass > 0.0)    /* the first sphere of a body */
         {
             row->count++;
             dem_residence_add(f, all[k].flow, all[k].age);

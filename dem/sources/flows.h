@@ -65,7 +65,6 @@ struct dem_departure
 {
     int64_t id;
     int flow;                          /* its index in `flow` */
-    int counts;                        /* 0: a further sphere of a body, which has no mass here */
     double mass, momentum[3], energy;  /* kg, kg m/s, J */
     double age;                        /* s  since its entry, where an outlet asks */
     double contact_force[3];                    /* N  contact force, whose reaction acts on

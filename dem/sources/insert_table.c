@@ -23,6 +23,8 @@ enum
     SCALAR                /* from here on particle scalars */
 };
 
+_Static_assert(SCALAR + DEM_SCALARS <= DEM_TEXT_TABLE_COLUMNS, "a table may have all of them");
+
 static const char *const fixed_name[SCALAR] = {"x", "y", "z", "vx", "vy", "vz",
                                                "wx", "wy", "wz", "diameter", "id"};
 

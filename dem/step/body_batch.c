@@ -107,7 +107,7 @@ static void gather_spins(struct dem_body_batch *batch, const struct dem_particle
     }
 }
 
-/* Of spheres. */
+/* All rows are spheres; clump_batch.c changes the rows of clumps. */
 static void set_forms(struct dem_body_batch *batch)
 {
     for (int c = 0; c < batch->n; c++)

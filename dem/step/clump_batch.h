@@ -10,9 +10,8 @@
 #include "ranks/dem_state.h"
 #include "step/body_batch.h"
 
-/* Before the effects: radius, mass, volume and form of rows that belong to a body become those of its
-   volume-equivalent sphere; forces so far are set aside. `over_window` as in
-   dem_body_batch_gather_fluid. */
+/* Before the effects: rows of a body get the radius, mass and volume of its volume-equivalent sphere,
+   and its form; forces so far are set aside. `over_window` as in dem_body_batch_gather_fluid. */
 void dem_clump_batch_begin(struct dem_clump_flow *, struct dem_body_workspace *,
                            const struct dem_particles *, size_t first, int rows, double over_window);
 
@@ -24,8 +23,8 @@ void dem_clump_batch_take(struct dem_clump_flow *, struct dem_body_workspace *,
 /* Before the sweeps: list the spheres of the bodies (dem_clumps_index), room for their forces. */
 int dem_index_clumps(struct dem_state *);
 
-/* After the sweep over all particles, the kick over h [s] of the bodies: with or without a fluid. The
-   particles are those of the state or of its backup. */
+/* Kick the bodies over h [s], with or without a fluid, after the sweep over all particles. Pass the
+   particles of the state or of its backup. */
 void dem_kick_clumps(const struct dem_state *, struct dem_particles *, double h);
 
 #endif

@@ -7,7 +7,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "step/clump_batch.h"
 #include "step/neighbor_rebuild.h"
 #include "contacts/wall_rows.h"
 #include "core/memory.h"
@@ -22,6 +21,7 @@
 #include "sources/residence.h"
 #include "step/body_window.h"
 #include "step/cell_motion.h"
+#include "step/clump_batch.h"
 #include "step/sweep_bodies.h"
 #include <math.h>
 
@@ -191,12 +191,9 @@ static int insert_arrivals(struct dem_state *state)
 
     int status = dem_flows_insert(state);
 
-    if (state->clumps.flow)
-    {
-        const int reserved = dem_clump_flow_reserve(state->clumps.flow, state->particles.n);
-
-        status = status ? status : reserved;
-    }
+    status = status || !state->clumps.flow
+                 ? status
+                 : dem_clump_flow_reserve(state->clumps.flow, state->particles.n);
 
     dem_interaction_table_gravity(&state->interaction_table, gravity);
 

@@ -64,7 +64,7 @@ void dem_wall_turn_start(struct dem_wall_body *b)
 
 int dem_wall_turn_impossible(const struct dem_wall_turn *t)
 {
-    static const double rounded = 0.01;
+    static const double rounded = 0.01;    /* of numbers that were printed with three digits */
     const double *const I = t->inertia;
     const double half = 0.5*(I[0] + I[1] + I[2]);
     int bad = 0;

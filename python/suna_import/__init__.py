@@ -15,7 +15,7 @@ LIGGGHTS:
     liggghts_fixes.py, liggghts_wall_fixes.py, liggghts_insert_fixes.py     fixes
     liggghts_contact.py                          contact models as effects
     liggghts_region.py, liggghts_mesh.py         regions; triangles and tetrahedra of files
-    liggghts_clumps.py                        clumps
+    liggghts_clumps.py                           clumps
     liggghts_insertion.py, liggghts_packing.py   templates, distributions, packings and streams
     liggghts_particles.py, units.py              single particles, data files, dumps; units
     liggghts_scene.py                            scenes from the stages

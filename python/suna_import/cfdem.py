@@ -129,7 +129,7 @@ class CfdemCase(CoupledCase):
                           "docs/coupled-case.md")
         if "particleShapeType" in d and d.word("particleShapeType"):
             report.refuse(d.where("particleShapeType"), "particleShapeType",
-                          "coupled runs have spheres only")
+                          "clumps of a coupled case are not translated; write shapes in constant/demProperties")
         for name, values in TOP.items():
             if name in d:
                 value = d.word(name)

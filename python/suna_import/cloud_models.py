@@ -30,8 +30,8 @@ FORCES = {
 REFUSED_FORCES = {
     "PlessisMasliyahDrag": "Suna has gidaspow, diFelice, kochHill, beetstra for the same range; "
                            "name ErgunWenYuDrag here to get gidaspow",
-    "nonSphereDrag": "coupled runs have spheres only",
-    "distortedSphereDrag": "coupled runs have spheres only",
+    "nonSphereDrag": "translated clouds have spheres; for clumps write shapes and hoelzerSommerfeld in constant/demProperties",
+    "distortedSphereDrag": "translated clouds have spheres; for clumps write shapes and hoelzerSommerfeld in constant/demProperties",
     "SRF": "particles of Suna have absolute velocities",
     "nonInertialFrame": "particles of Suna have absolute velocities",
     "paramagnetic": "Suna has no magnetic force",

@@ -139,7 +139,7 @@ class SceneMaker(Laws, Walls, Groups, Times):
             return
         gamma, place = self.state["fluid"]
         if any(i.has_clumps() for i in self.insertions):
-            self.refuse(place, "fix viscous", "the drag of spheres does not act on clumps; remove the fix")
+            self.refuse(place, "fix viscous", "LIGGGHTS drags each sphere of a clump, Suna the clump; remove the fix")
         sizes = {round(2*t.range()[k], 15) for i in self.insertions
                  for t in i.distribution.templates for k in (0, 1)}
         sizes |= set(numpy.round(self.particles.diameter, 15))

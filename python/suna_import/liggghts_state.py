@@ -30,7 +30,7 @@ class Wall:
 @dataclass
 class Motion:
     kind: str                       # linear, rotate, wiggle, servo, free
-    values: tuple                   # SI
+    values: object                  # SI; a dict for free, else a tuple
     start: float
     place: object
     end: float = math.inf

@@ -64,17 +64,8 @@ def draw():
 
 
 def main():
-    log = (RUN/"log.demInterFoam").read_text()
-    number = r"([-+0-9.eE]+)"
-    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}, volume {number} m3", log), float)
-    exchange = [float(x) for x in re.findall(rf"exchange error {number}", log)]
     table = results.Table()
-    table.add("balances", "volume of water, relative change", 0, numpy.ptp(alpha[:, 2])/alpha[0, 2],
-              allowed=1e-9, source="identity")
-    table.add("balances", "alpha outside of [0, 1]", 0, max(-alpha[:, 0].min(), alpha[:, 1].max()),
-              allowed=1e-9, source="identity")
-    table.add("balances", "exchange of momentum, largest relative error", 0, max(exchange), allowed=1e-12,
-              source="identity")
+    results.balances(table, "balances", RUN)
     places = fronts()
     with open(HERE/"fronts.csv", "w", newline="") as file:
         out = csv.writer(file)

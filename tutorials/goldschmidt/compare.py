@@ -225,6 +225,7 @@ def store(text, window, rows, sentences):
     page = Path("results.md")
     before, found, rest = page.read_text().partition(f"<!-- {window} -->\n")
     if not found:
+        print(f"results.md has no <!-- {window} -->: the table is not stored there")
         return
     after = rest.partition("<!-- end -->")[2]
     listing = "\n".join(f"- {sentence}" for sentence in sentences)

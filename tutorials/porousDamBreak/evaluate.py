@@ -25,6 +25,7 @@ import numpy
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent/"shared"))
 import results                      # noqa: E402
+import side                         # noqa: E402
 
 TANK, TOP, BLOCK = 0.89, 0.4375, (0.30, 0.59)   # m, length and height of the tank; the block along x
 NAMES = {"block": "block", "cells": "cells twice as large", "kernel": "kernel of 3 diameters"}   # runs
@@ -40,8 +41,7 @@ def measured():
 
 def levels(run, time):
     """Positions of the columns of cells and heights of water in them [m], or None before the run is there."""
-    paths = [path for path in run.iterdir() if re.fullmatch(r"\d\.?\d*", path.name)
-             and abs(float(path.name) - time) < 1e-6]
+    paths = [path for path in side.times(run) if abs(float(path.name) - time) < 1e-6]
     if not paths:
         return None
     nx, nz = map(int, re.search(r"^cells\s+\((\d+) 1 (\d+)\)", (run/"system/blockMeshDict").read_text(),
@@ -68,18 +68,6 @@ def draw(runs):
     save(figure, HERE/"levels.png")
 
 
-def balances(table, name, log):
-    number = r"([-+0-9.eE]+)"
-    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}, volume {number} m3", log), float)
-    exchange = [float(x) for x in re.findall(rf"exchange error {number}", log)]
-    table.add(name, "volume of water, relative change", 0, numpy.ptp(alpha[:, 2])/alpha[0, 2],
-              allowed=1e-9, source="identity")
-    table.add(name, "alpha outside of [0, 1]", 0, max(-alpha[:, 0].min(), alpha[:, 1].max()),
-              allowed=1e-9, source="identity")
-    table.add(name, "exchange of momentum, largest relative error", 0, max(exchange), allowed=1e-12,
-              source="identity")
-
-
 def main():
     runs = {name: HERE/"runs"/folder for folder, name in NAMES.items() if (HERE/"runs"/folder).exists()}
     table = results.Table()
@@ -98,7 +86,7 @@ def main():
                 table.add(name, f"level at {x:g} m, {time:g} s", points[at, 1], ours[at], unit="m", source="Lin 1998")
         table.add(name, "rms difference of all levels", 0, numpy.mean(numpy.concatenate(squares))**0.5, unit="m",
                   source="Lin 1998")
-        balances(table, name, (run/"log.demInterFoam").read_text())
+        results.balances(table, name, run)
     table.write(HERE)
     print("Levels: rms difference from the measured ones " + ", ".join(
         f"{1e3*float(row['ours']):.1f} mm ({row['part']})" for row in table.rows

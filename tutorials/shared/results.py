@@ -85,16 +85,33 @@ def field(path):
     return numbers.reshape(int(found[1]), -1)
 
 
+def solver_log(run):
+    """The text of the solver's log; empty before it has run."""
+    return "".join(log.read_text(errors="replace") for log in Path(run).glob("log.dem*Foam"))
+
+
 def ended(run):
-    log = Path(run)/"log.demPimpleFoam"
-    return log.exists() and "\nEnd" in log.read_text(errors="replace")
+    return "\nEnd" in solver_log(run)
 
 
 def worst(run, key):
     """Largest number after `key` in the solver's log."""
-    text = (Path(run)/"log.demPimpleFoam").read_text(errors="replace")
-    return max((float(value) for value in re.findall(rf"{key} ([-+0-9.eE]+)", text)),
+    return max((float(value) for value in re.findall(rf"{key} ([-+0-9.eE]+)", solver_log(run))),
                default=numpy.nan)
+
+
+def balances(table, part, run, volume=True):
+    """Rows of demInterFoam: alpha in [0, 1], the exchange and, in a closed vessel, the volume of water."""
+    number = r"([-+0-9.eE]+)"
+    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}, volume {number} m3",
+                                   solver_log(run)), float)
+    if volume:
+        table.add(part, "volume of water, relative change", 0, numpy.ptp(alpha[:, 2])/alpha[0, 2],
+                  allowed=1e-9, source="identity")
+    table.add(part, "alpha outside of [0, 1]", 0, max(-alpha[:, 0].min(), alpha[:, 1].max()),
+              allowed=1e-9, source="identity")
+    table.add(part, "exchange of momentum, largest relative error", 0, worst(run, "exchange error"),
+              allowed=1e-12, source="identity")
 
 
 def processor_time(case):

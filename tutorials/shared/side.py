@@ -6,19 +6,15 @@ across the run.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import re
-import sys
-from pathlib import Path
 
 import numpy
 
 import results
 
-sys.path.append(str(Path(__file__).resolve().parent.parent/"muellerBed"))
 
-
-def times(run, after=0):
-    """The folders of the written times after this one."""
-    return sorted((path for path in run.iterdir() if re.fullmatch(r"\d+\.?\d*", path.name) and float(path.name) > after),
+def times(run):
+    """The folders of the written times after the start."""
+    return sorted((path for path in run.iterdir() if re.fullmatch(r"\d+\.?\d*", path.name) and float(path.name) > 0),
                   key=lambda path: float(path.name))
 
 
@@ -43,19 +39,18 @@ def to_walls(points, values):
     return numpy.concatenate(more), numpy.concatenate(copied)
 
 
-def view(axis, run, folder, diameter, fluid="alpha.water"):
-    """Water and grains of one time from the side: x and z in mm; grains alone without a fluid."""
+def view(axis, run, folder, diameter):
+    """Water and grains of one time from the side: x and z in mm."""
     from matplotlib.collections import PatchCollection
     from matplotlib.patches import Circle
     from style import OURS, REFERENCE
 
-    if fluid:
-        places = numpy.round(1e3*results.field(run/"0/C")[:, [0, 2]], 6)
-        points, column = numpy.unique(places, axis=0, return_inverse=True)
-        alpha = results.field(folder/fluid)[:, 0]
-        points, alpha = to_walls(points, numpy.bincount(column.ravel(), alpha)/numpy.bincount(column.ravel()))
-        if numpy.ptp(alpha) > 0.1:
-            axis.tricontourf(*points.T, alpha, [0.5, 2], colors=REFERENCE, alpha=0.25)
+    places = numpy.round(1e3*results.field(run/"0/C")[:, [0, 2]], 6)
+    points, column = numpy.unique(places, axis=0, return_inverse=True)
+    alpha = results.field(folder/"alpha.water")[:, 0]
+    points, alpha = to_walls(points, numpy.bincount(column.ravel(), alpha)/numpy.bincount(column.ravel()))
+    if numpy.ptp(alpha) > 0.1:
+        axis.tricontourf(*points.T, alpha, [0.5, 2], colors=REFERENCE, alpha=0.25)
     at = 1e3*grains(folder)
     axis.add_collection(PatchCollection([Circle((x, z), 500*diameter) for x, _, z in at[numpy.argsort(-at[:, 1])]],
                                         facecolor=OURS, edgecolor="white", linewidth=0.2))
@@ -63,13 +58,13 @@ def view(axis, run, folder, diameter, fluid="alpha.water"):
     axis.grid(False)
 
 
-def series(path, run, folders, diameter, height, finish, fluid="alpha.water", **options):
+def series(path, run, folders, diameter, height, finish, **options):
     """A picture with these times side by side; `finish(axis)` adds walls and limits."""
     from style import panels, save
 
     figure, axes = panels(len(folders), height=height, sharey=True, **options)
     for axis, folder in zip(axes, folders):
-        view(axis, run, folder, diameter, fluid)
+        view(axis, run, folder, diameter)
         finish(axis)
     axes[0].set_ylabel("z [mm]")
     save(figure, path)

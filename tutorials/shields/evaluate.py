@@ -27,6 +27,7 @@ import numpy
 HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent/"shared"))
 import results                      # noqa: E402
+import side                         # noqa: E402
 
 NAMES = {"bed": "kernel of 2 diameters", "narrow": "kernel of 1 diameter"}       # runs
 D, EXCESS, G, MU = 5.8e-4, 200, 9.81, 5e-3      # m, kg/m3, m/s2, Pa s
@@ -44,8 +45,8 @@ def lid(run):
 
 def shields(run, time, speed):
     """From the velocity in the uppermost cells."""
-    velocity = results.field(next(path for path in run.iterdir() if re.fullmatch(r"\d+\.?\d*", path.name)
-                                  and abs(float(path.name) - time) < 1e-6)/"U")[-CELLS:, 0].mean()
+    folder = next(path for path in side.times(run) if abs(float(path.name) - time) < 1e-6)
+    velocity = results.field(folder/"U")[-CELLS:, 0].mean()
     return MU*(speed - velocity)/(0.5*HEIGHT/LAYERS)/(EXCESS*G*D)
 
 

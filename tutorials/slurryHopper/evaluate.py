@@ -69,13 +69,7 @@ def bulk_density(run):
 
 
 def balances(table, run):
-    number = r"([-+0-9.eE]+)"
-    log = (run/"log.demInterFoam").read_text()
-    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}", log), float)
-    table.add(run.name, "alpha outside of [0, 1]", 0, max(-alpha[:, 0].min(), alpha[:, 1].max()), allowed=1e-9,
-              source="identity")
-    table.add(run.name, "exchange of momentum, largest relative error", 0,
-              max(float(x) for x in re.findall(rf"exchange error {number}", log)), allowed=1e-12, source="identity")
+    results.balances(table, run.name, run, volume=False)
     last = table_of(run, "budget.csv")[-1]
     table.add(run.name, "volume that no flow explains over volume that left", 0,
               abs(float(last["rest.volume[m3]"])/float(last["flow:outlet.volume[m3]"])), allowed=1e-9, source="identity")

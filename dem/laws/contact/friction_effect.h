@@ -16,7 +16,7 @@
 
 #define DEM_FRICTION_SWITCHES(type)                                                            \
     DEM_SETTING_SWITCH(type, common.damping, "tangentialDamping", 1,                           \
-                       "dashpot with the coefficient of the normal law, while sticking"),                                                              \
+                       "dashpot with the coefficient of the normal law, while sticking"),      \
     DEM_SETTING_SWITCH(type, common.adhesion, "adhesion", 1,                                   \
                        "limit mu (F_n + 2 F_c) with jkr, mu (F_n + k_c d) with hookeHysteresis")
 

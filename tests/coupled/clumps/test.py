@@ -124,7 +124,7 @@ phi, disc, half = 2**(2/3)/2, pi/4*d**2, 4*pi*R**2
 
 
 def drop(A, A_l):
-    """Of Hoelzer and Sommerfeld's law at these projected areas, with Di Felice's power [Pa/m]."""
+    """Pressure gradient by Hoelzer and Sommerfeld's law at these projected areas, with Di Felice's power [Pa/m]."""
     Re = U*d/nu
     Cd = (8/Re/math.sqrt(disc/(half - A_l)) + 16/Re/math.sqrt(phi) + 3/math.sqrt(Re)/phi**0.75
           + 0.42*10**(0.4*(-math.log10(phi))**0.2)*A/disc)

@@ -2,6 +2,7 @@
 
 - A closed vessel that moves as a whole at a constant velocity, with water, air and grains that have it, too: grains of
   the water's density below the surface, and heavy grains across it without gravity. Nothing moves in the vessel.
+  The same fluids and grains move through the cells of a mesh at rest.
 - A vessel that oscillates along gravity: the fluids stay at rest in it, the pressure gradient is rho (g + a).
 - A tank that sways: the surface follows the linear theory of forced sloshing.
 - A floor that oscillates under grains in water, with an open top (the mesh deforms): volumes and momentum are kept.
