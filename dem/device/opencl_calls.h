@@ -66,8 +66,8 @@ int dem_opencl_load(const struct dem_opencl_calls **);
 /* DEM_OK, or an error that names what was tried and OpenCL's number. */
 int dem_opencl_status(const struct dem_opencl *, cl_int error, const char *what);
 
-/* opencl_times.c. dem_opencl_time: where a command puts its event, to be timed under a name that stays; NULL where
-   commands are not timed. */
+/* opencl_times.c. dem_opencl_time: where a command puts its event, to be timed under a name that is
+   not copied; NULL where commands are not timed. */
 int dem_opencl_begin_times(struct dem_opencl *);
 cl_event *dem_opencl_time(struct dem_opencl *, const char *name);
 void dem_opencl_end_times(struct dem_opencl *);
