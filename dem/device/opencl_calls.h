@@ -31,7 +31,7 @@
     CALL(clReleaseKernel) CALL(clSetKernelArg) CALL(clCreateBuffer) CALL(clReleaseMemObject)   \
     CALL(clEnqueueNDRangeKernel) CALL(clEnqueueWriteBuffer) CALL(clEnqueueReadBuffer)          \
     CALL(clEnqueueCopyBuffer)                                                                  \
-    CALL(clFinish) CALL(clFlush)
+    CALL(clGetEventProfilingInfo) CALL(clReleaseEvent) CALL(clFinish) CALL(clFlush)
 
 #define DEM_OPENCL_MEMBER(call) __typeof__(&call) call;
 
@@ -43,6 +43,7 @@ struct dem_opencl_calls
 struct dem_opencl_kernel
 {
     cl_kernel kernel;
+    char name[32];
     struct dem_opencl_kernel *next;
 };
 
@@ -55,6 +56,7 @@ struct dem_opencl
     cl_command_queue queue;
     cl_program program;
     struct dem_opencl_kernel *kernels;
+    struct dem_opencl_times *times;    /* NULL: commands are not timed */
     size_t bytes;
 };
 
@@ -63,6 +65,12 @@ int dem_opencl_load(const struct dem_opencl_calls **);
 
 /* DEM_OK, or an error that names what was tried and OpenCL's number. */
 int dem_opencl_status(const struct dem_opencl *, cl_int error, const char *what);
+
+/* opencl_times.c. dem_opencl_time: where a command puts its event, to be timed under a name that is
+   not copied; NULL where commands are not timed. */
+int dem_opencl_begin_times(struct dem_opencl *);
+cl_event *dem_opencl_time(struct dem_opencl *, const char *name);
+void dem_opencl_end_times(struct dem_opencl *);
 
 #endif
 

@@ -202,7 +202,12 @@ int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
 
     if (!status)
     {
-        cl->queue = calls->clCreateCommandQueue(cl->context, cl->device, 0, &error);
+        status = dem_opencl_begin_times(cl);
+    }
+    if (!status)
+    {
+        cl->queue = calls->clCreateCommandQueue(cl->context, cl->device,
+                                                cl->times ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
         status = dem_opencl_status(cl, error, "make a queue");
     }
     if (status)
@@ -216,6 +221,10 @@ int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
 
 void dem_opencl_close(struct dem_opencl *cl)
 {
+    if (cl && cl->queue)
+    {
+        dem_opencl_end_times(cl);
+    }
     while (cl && cl->kernels)
     {
         struct dem_opencl_kernel *const k = cl->kernels;
@@ -286,7 +295,7 @@ int dem_opencl_write(struct dem_opencl *cl, const struct dem_opencl_memory *m, s
     return bytes == 0 ? DEM_OK
                       : dem_opencl_status(cl, cl->calls->clEnqueueWriteBuffer(
                                                   cl->queue, m->buffer, CL_TRUE, offset, bytes,
-                                                  from, 0, NULL, NULL),
+                                                  from, 0, NULL, dem_opencl_time(cl, "(up)")),
                                           "write to its memory");
 }
 
@@ -296,7 +305,7 @@ int dem_opencl_read(struct dem_opencl *cl, const struct dem_opencl_memory *m, si
     return bytes == 0 ? DEM_OK
                       : dem_opencl_status(cl, cl->calls->clEnqueueReadBuffer(
                                                   cl->queue, m->buffer, CL_TRUE, offset, bytes, to,
-                                                  0, NULL, NULL),
+                                                  0, NULL, dem_opencl_time(cl, "(down)")),
                                           "read its memory");
 }
 
@@ -306,7 +315,7 @@ int dem_opencl_copy(struct dem_opencl *cl, const struct dem_opencl_memory *from,
     return bytes == 0 ? DEM_OK
                       : dem_opencl_status(cl, cl->calls->clEnqueueCopyBuffer(
                                                   cl->queue, from->buffer, to->buffer, 0, 0, bytes,
-                                                  0, NULL, NULL),
+                                                  0, NULL, dem_opencl_time(cl, "(copy)")),
                                           "copy its memory");
 }
 
@@ -341,7 +350,7 @@ int dem_opencl_launch(struct dem_opencl *cl, struct dem_opencl_kernel *k, size_t
     return items == 0 ? DEM_OK
                       : dem_opencl_status(cl, cl->calls->clEnqueueNDRangeKernel(
                                                   cl->queue, k->kernel, 1, NULL, &all, &group, 0,
-                                                  NULL, NULL),
+                                                  NULL, dem_opencl_time(cl, k->name)),
                                           "start a kernel");
 }
 

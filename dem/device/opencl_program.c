@@ -224,6 +224,7 @@ int dem_opencl_kernel(struct dem_opencl *cl, const char *name, struct dem_opencl
         dem_memory_free(k);
         return dem_opencl_status(cl, error, "find a kernel of the program");
     }
+    snprintf(k->name, sizeof k->name, "%s", name);
     k->next = cl->kernels;
     cl->kernels = *kernel = k;
     return DEM_OK;

@@ -1,0 +1,110 @@
+/*
+ * opencl_times.c -- the time that each kernel and each kind of copy takes on the device, for
+ * SUNA_OPENCL_TIMES in the environment; printed when the device is closed.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "device/opencl_calls.h"
+#include "core/error.h"
+#include "core/memory.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef DEM_OPENCL
+
+enum
+{
+    PENDING = 4096,    /* commands whose times are not read yet */
+    KINDS = 64
+};
+
+struct kind
+{
+    const char *name;
+    long commands;
+    double seconds;
+};
+
+struct dem_opencl_times
+{
+    int pending, kinds;
+    cl_event event[PENDING];
+    int kind_of[PENDING];
+    struct kind kind[KINDS];
+};
+
+int dem_opencl_begin_times(struct dem_opencl *cl)
+{
+    return getenv("SUNA_OPENCL_TIMES") ? DEM_NEW(cl->times, 1) : DEM_OK;
+}
+
+static int find_kind(struct dem_opencl_times *t, const char *name)
+{
+    int k = 0;
+
+    while (k < t->kinds && strcmp(t->kind[k].name, name) != 0)
+    {
+        k++;
+    }
+    if (k == t->kinds && t->kinds < KINDS)
+    {
+        t->kind[t->kinds++].name = name;
+    }
+    return k < KINDS ? k : KINDS - 1;
+}
+
+static void collect(struct dem_opencl *cl, struct dem_opencl_times *t)
+{
+    (void)cl->calls->clFinish(cl->queue);
+    for (int k = 0; k < t->pending; k++)
+    {
+        struct kind *const of = &t->kind[t->kind_of[k]];
+        cl_ulong begin = 0, end = 0;
+
+        (void)cl->calls->clGetEventProfilingInfo(t->event[k], CL_PROFILING_COMMAND_START, sizeof begin,
+                                                 &begin, NULL);
+        (void)cl->calls->clGetEventProfilingInfo(t->event[k], CL_PROFILING_COMMAND_END, sizeof end,
+                                                 &end, NULL);
+        (void)cl->calls->clReleaseEvent(t->event[k]);
+        of->commands++;
+        of->seconds += 1e-9*(double)(end - begin);
+    }
+    t->pending = 0;
+}
+
+cl_event *dem_opencl_time(struct dem_opencl *cl, const char *name)
+{
+    struct dem_opencl_times *const t = cl->times;
+
+    if (!t)
+    {
+        return NULL;
+    }
+    if (t->pending == PENDING)
+    {
+        collect(cl, t);
+    }
+    t->kind_of[t->pending] = find_kind(t, name);
+    return &t->event[t->pending++];
+}
+
+void dem_opencl_end_times(struct dem_opencl *cl)
+{
+    struct dem_opencl_times *const t = cl->times;
+
+    if (t)
+    {
+        collect(cl, t);
+        for (int k = 0; k < t->kinds; k++)
+        {
+            fprintf(stderr, "device time: %-16s %8ld %10.6f s %10.3f us each\n", t->kind[k].name,
+                    t->kind[k].commands, t->kind[k].seconds,
+                    1e6*t->kind[k].seconds/(double)t->kind[k].commands);
+        }
+    }
+    dem_memory_free(t);
+    cl->times = NULL;
+}
+
+#endif
