@@ -16,8 +16,8 @@ namespace Foam
 
 static const char* const phaseNames[demProfile::nPhases] =
 {
-    "start", "momentum", "pressure", "fluid", "sample", "particles", "deposit",
-    "correct", "output"
+    "start", "voidage", "interface", "momentum", "pressure", "fluid", "sample", "particles",
+    "deposit", "correct", "output"
 };
 
 
@@ -69,7 +69,8 @@ void Foam::demProfile::end(const phase which)
 
 Foam::scalar Foam::demProfile::fluid() const
 {
-    return spent_[MOMENTUM] + spent_[PRESSURE] + spent_[FLUID];
+    return
+        spent_[VOIDAGE] + spent_[INTERFACE] + spent_[MOMENTUM] + spent_[PRESSURE] + spent_[FLUID];
 }
 
 

@@ -28,13 +28,17 @@ import side                         # noqa: E402
 
 RUN = HERE/"runs/dam"
 WIDTH, HEIGHT, TANK = 0.05, 0.1, 0.2             # m, of the column; length of the tank
-D = 2.7e-3                                      # m, of the grains
 
 
 def cells():
     """Number of cells along x, y and z."""
     return [int(n) for n in re.search(r"^cells\s+\((\d+) (\d+) (\d+)\)",
                                       (RUN/"system/blockMeshDict").read_text(), re.M).groups()]
+
+
+def diameter():
+    """Of the grains [m]."""
+    return float(re.search(r"diameter (\S+);", (RUN/"constant/demProperties").read_text())[1])
 
 
 def water(path):
@@ -60,7 +64,7 @@ def limits(axis):
 def draw():
     """From the side, at six times."""
     shown = [path for path in side.times(RUN) if round(float(path.name)/0.01) in (5, 10, 20, 30, 40, 50)]
-    side.series(HERE/"dam.png", RUN, shown, D, 2.9, limits, width=2.1*len(shown))
+    side.series(HERE/"dam.png", RUN, shown, diameter(), 2.9, limits, width=2.1*len(shown))
 
 
 def main():
@@ -83,7 +87,7 @@ def main():
     with results.pictures():
         draw()
         if "-animate" in sys.argv:
-            side.animate(HERE/"dam.webp", RUN, D, 0.08, limits)
+            side.animate(HERE/"dam.webp", RUN, diameter(), 0.08, limits)
 
 
 if __name__ == "__main__":
