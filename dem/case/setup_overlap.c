@@ -19,7 +19,8 @@ static int refuse(struct dem_state *p, double limit, unsigned flags)
     DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
-                "start, the limit is %g; move it, or raise time/maxStartOverlap",
+                "start, the limit is %g; move it, place its group by \"inside walls;\", or raise "
+                "time/maxStartOverlap",
                 (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
                 p->walls.wall[wall.partner].name, wall.fraction, limit);
     DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,

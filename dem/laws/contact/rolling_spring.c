@@ -97,7 +97,7 @@ static void energy(const void *of, const struct dem_contact_batch *restrict b,
 
 const struct dem_effect dem_rolling_spring = {
     .name = "rollingSpring",
-    .aliases = "rollingFriction epsd epsd2",
+    .aliases = "rolling rollingFriction epsd epsd2",
     .summary =
         "rolling resistance: a rotational spring that slips at mu_r R* F_n, with an optional dashpot",
     .source = "Ai, Chen, Rotter, Ooi 2011, type C; Iwashita and Oda 1998",
