@@ -33,6 +33,10 @@ int dem_scene_read_body(const struct dem_dict *, const char *type, const struct 
 /* motion, surfaceVelocity and surfaceRotation of one wall. */
 int dem_scene_read_motion(struct dem_walls *, int wall, const struct dem_dict *);
 
+/* The entry fluid; the effects say which of its entries they need. */
+int dem_scene_read_fluid(struct dem_uniform_fluid *, const struct dem_dict *scene,
+                         const struct dem_interaction_table *);
+
 /* The settings of rest, with their defaults where there is no dictionary (NULL). */
 struct dem_quiet;
 int dem_scene_read_quiet(const struct dem_dict *, struct dem_quiet *);

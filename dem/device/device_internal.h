@@ -55,9 +55,10 @@ struct dem_device
     struct dem_opencl_memory force, moment, energy, contacts, loads, conditions, rates, applied, ids, before_touch, before_history;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
-        image, totals, largest, candidate_start, candidates;
+        image, totals, largest, candidate_start, candidates, was;
 
     int makes_lists;                    /* 1: sizes are such that the device makes lists, too */
+    int moved;                          /* 1: particles have other places since the present lists: was */
     int own;                            /* 1: the present lists are made here, not on the host */
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */
     int64_t host_until;                 /* up to this step the host makes the steps */
@@ -82,6 +83,16 @@ double dem_device_skin(const struct dem_device *, double speed, double dt);
 int dem_device_put(struct dem_device *, const struct dem_state *);
 int dem_device_get(struct dem_device *, struct dem_state *);
 int dem_device_reserve_rows(struct dem_device *, const struct dem_state *, uint32_t rows);
+
+/* device_state.c: records and columns of particles, up and down. */
+int dem_device_put_particles(struct dem_device *, const struct dem_state *);
+int dem_device_get_particles(struct dem_device *, struct dem_state *);
+
+/* device_changes.c: let particles enter and leave before the next step, if that one checks them; with the skin [m]
+   of the device's lists, 0: they are the host's. changes: 1 when some did, so that new lists have to follow, the images
+   of rows being kept already. end: 1 when the host has to make this step. */
+int dem_device_check(struct dem_device *, struct dem_state *, const struct dem_device_steps *, double skin,
+                     int *changes, int *end);
 
 /* device_lists.c: constants of lists; new lists from the present positions, with this skin [m]
    (outside: 1 when a particle has left the domain, so that the host has to look); largest

@@ -60,6 +60,15 @@ static int put_drives(struct dem_device *d, const struct dem_walls *w)
     return DEM_OK;
 }
 
+/* 1: particles enter, and the kernel of particles turns them or advances their eddies in the step in
+   which they do, which the host does not. */
+static int turns_new_particles(const struct dem_state *state)
+{
+    return state->flows->n > 0 && state->flows->plan->streams > 0 &&
+           (dem_column(&state->particles, DEM_COLUMN_ORIENTATION) ||
+            dem_column(&state->particles, DEM_COLUMN_EDDY));
+}
+
 int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_interaction_table *const t = &state->interaction_table;
@@ -69,12 +78,13 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     {
         min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
     }
-    d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !state->domain.remove &&
-                     state->flows->n == 0 && state->particles.n < UINT32_MAX/(size_t)d->classes;
+    d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !turns_new_particles(state) &&
+                     state->particles.n < UINT32_MAX/(size_t)d->classes;
     DEM_TRY(dem_device_begin_facets(d, state));
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->was, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));
     return put_classes(d, state);
 }
@@ -158,6 +168,7 @@ static struct dem_device_lists constants_of(const struct dem_device *d,
     l.columns = (uint32_t)state->interaction_table.history_columns;
     l.old_stride = old->rows;
     l.old_walls = old->walls;
+    l.moved = d->moved;
     l.keep_all = state->interaction_table.past_touching;
     l.keep_frozen = state->interaction_table.contact_scalars;
     return l;
@@ -254,7 +265,7 @@ static int fill(struct dem_device *d, const struct dem_state *state, struct dem_
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_HISTORY], 0, &d->lists, &d->record, &list->start,
                             &d->partner, &list->entry, &old->start, &old->entry, &old->partners,
                             &d->image, &old->touch, &old->history, &list->touch, &list->history,
-                            &d->facets, &d->images, &list->near));
+                            &d->facets, &d->images, &list->near, &d->was));
     return dem_opencl_launch(d->cl, k[DEM_LISTS_HISTORY], n);
 }
 
@@ -271,13 +282,15 @@ int dem_device_make_lists(struct dem_device *d, const struct dem_state *state, d
     DEM_TRY(dem_device_find_candidates(d, state));
     DEM_TRY(count(d, state, list));
     DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof left, &left));
-    *outside = left != 0;
+    /* with `leaving remove` the next check removes them */
+    *outside = left != 0 && !state->domain.remove;
     d->at = 1 - d->at;
     DEM_TRY(dem_device_reserve_rows(d, state, list->rows));
     l.stride = list->rows;
     l.walls = list->walls;
     DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
     d->own = 1;
+    d->moved = 0;
     d->counts.lists++;
     return fill(d, state, list, old);
 }

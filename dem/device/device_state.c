@@ -150,36 +150,43 @@ static int put_applied(struct dem_device *d, const struct dem_applied_forces *a)
     return status;
 }
 
-/* History of rows that do not touch is zero on the host, so all rows count as touching before. Rows
-   that make up whole batches repeat others, and no entry has them. */
-int dem_device_put(struct dem_device *d, const struct dem_state *state)
+int dem_device_put_particles(struct dem_device *d, const struct dem_state *state)
 {
-    const struct dem_contact_history *const h = &state->contacts.history;
     const size_t n = state->particles.n, records = n*sizeof *state->particles.record,
                  columns = n*dem_device_columns_width(&state->particles)*sizeof(double);
     const double *const lost = dem_column(&state->particles, DEM_COLUMN_LOST_ENERGY);
 
-    DEM_TRY(put_lists(d, state));
-    DEM_TRY(put_applied(d, &state->applied_forces));
-    struct dem_device_rows *const list = &d->list[d->at];
-    const size_t column = list->rows*sizeof(double);
-
     DEM_TRY(dem_opencl_reserve(d->cl, &d->record, records));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_record, records));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*n*sizeof(double)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->columns, columns));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_columns, columns));
     DEM_TRY(dem_device_put_columns(d->cl, &d->columns, &state->particles));
     DEM_TRY(dem_opencl_write(d->cl, &d->record, 0, records, state->particles.record));
+    return lost ? dem_opencl_write(d->cl, &d->lost, 0, n*sizeof *lost, lost) : DEM_OK;
+}
+
+/* History of rows that do not touch is zero on the host, so all rows count as touching before. Rows
+   that make up whole batches repeat others, and no entry has them. */
+int dem_device_put(struct dem_device *d, const struct dem_state *state)
+{
+    const struct dem_contact_history *const h = &state->contacts.history;
+
+    DEM_TRY(put_lists(d, state));
+    DEM_TRY(dem_device_put_particles(d, state));
+    DEM_TRY(put_applied(d, &state->applied_forces));
+    struct dem_device_rows *const list = &d->list[d->at];
+    const size_t column = list->rows*sizeof(double);
+
     for (int m = 0; m < h->columns; m++)
     {
         DEM_TRY(dem_opencl_write(d->cl, &list->history, (size_t)m*column, column, h->column[m]));
     }
     DEM_TRY(DEM_GROW(d->word, d->words, list->rows/sizeof *d->word + 1));
     memset(d->word, 1, list->rows);
-    DEM_TRY(dem_opencl_write(d->cl, &list->touch, 0, list->rows, d->word));
-    return lost ? dem_opencl_write(d->cl, &d->lost, 0, n*sizeof *lost, lost) : DEM_OK;
+    return dem_opencl_write(d->cl, &list->touch, 0, list->rows, d->word);
 }
 
 /* Zero where surfaces are apart. */
@@ -290,16 +297,22 @@ static int get_saved(struct dem_device *d, struct dem_state *state)
     return status;
 }
 
-int dem_device_get(struct dem_device *d, struct dem_state *state)
+int dem_device_get_particles(struct dem_device *d, struct dem_state *state)
 {
-    struct dem_contact_history *const h = &state->contacts.history;
     const size_t n = state->particles.n;
     double *const lost = dem_column(&state->particles, DEM_COLUMN_LOST_ENERGY);
 
     DEM_TRY(dem_opencl_read(d->cl, &d->record, 0, n*sizeof *state->particles.record,
                             state->particles.record));
     DEM_TRY(dem_device_get_columns(d->cl, &d->columns, &state->particles));
-    DEM_TRY(h->columns > 0 ? clear_apart(d, h->columns) : DEM_OK);
-    DEM_TRY(d->own ? get_saved(d, state) : get_rows(d, h));
     return lost ? dem_opencl_read(d->cl, &d->lost, 0, n*sizeof *lost, lost) : DEM_OK;
+}
+
+int dem_device_get(struct dem_device *d, struct dem_state *state)
+{
+    struct dem_contact_history *const h = &state->contacts.history;
+
+    DEM_TRY(dem_device_get_particles(d, state));
+    DEM_TRY(h->columns > 0 ? clear_apart(d, h->columns) : DEM_OK);
+    return d->own ? get_saved(d, state) : get_rows(d, h);
 }

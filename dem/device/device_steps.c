@@ -98,6 +98,7 @@ struct progress    /* of the steps of an advance */
     double moved;    /* m  displacement since the lists were made, at most */
     double skin;     /* m  of the device's lists; 0: they are the host's */
     double rest;     /* m  displacement up to which they are valid, with the walls where they were */
+    int64_t checked; /*    the last step with a check of particles that enter or leave, of those made */
 };
 
 static struct dem_device_batch batch_of(const struct dem_device *d, const struct dem_state *state,
@@ -169,22 +170,26 @@ static int add_speeds(struct dem_device *d, const struct dem_device_steps *steps
     return fast;
 }
 
-/* Steps of the next batch: as many as the lists are likely to allow. */
+/* Steps of the next batch, whose first one has this number: as many as the lists are likely to allow,
+   none behind a check. */
 static uint32_t batch_size(const struct dem_device *d, const struct dem_device_steps *steps,
-                           const struct progress *p, double dt)
+                           const struct progress *p, double dt, int64_t first)
 {
     const double rest = fmax(p->rest - p->moved, 0.0),
                  likely = d->last_speed > 0.0 ? 1.05*rest/(d->last_speed*dt) + 2.0
                                               : DEM_DEVICE_BATCH;
 
-    return (uint32_t)fmin(fmin(likely, DEM_DEVICE_BATCH), (double)(steps->most - steps->made));
+    const int64_t most = steps->most - steps->made,
+                  check = steps->check ? steps->check - first%steps->check : most;
+
+    return (uint32_t)fmin(fmin(likely, DEM_DEVICE_BATCH), (double)(check < most ? check : most));
 }
 
 /* One batch. *end: 1 when the host has to go on, from the state before the batch. */
 static int advance_batch(struct dem_device *d, struct dem_state *state,
                          struct dem_device_steps *steps, struct progress *p, int *end)
 {
-    const uint32_t wanted = batch_size(d, steps, p, state->dt);
+    const uint32_t wanted = batch_size(d, steps, p, state->dt, state->steps + steps->made);
     uint32_t n = wanted, made;
 
     DEM_TRY(make_batch(d, state, steps, p, &n, &made));
@@ -209,15 +214,16 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
     return DEM_OK;
 }
 
-/* The lists may be used up: measure, and make new ones if more than half of the displacement is. */
+/* The lists may be used up: measure, and make new ones if more than half of the displacement is.
+   changed: make new ones, for particles that have entered or left. */
 static int renew_lists(struct dem_device *d, struct dem_state *state,
-                       const struct dem_device_steps *steps, struct progress *p, int *end)
+                       const struct dem_device_steps *steps, struct progress *p, int changed, int *end)
 {
     struct dem_device_batch next = batch_of(d, state, steps, p);
     uint32_t one = 1;
 
-    DEM_TRY(dem_device_displacement(d, state, &p->moved));
-    if (p->moved <= 0.5*p->rest)
+    DEM_TRY(changed ? DEM_OK : dem_device_displacement(d, state, &p->moved));
+    if (!changed && p->moved <= 0.5*p->rest)
     {
         return DEM_OK;
     }
@@ -232,7 +238,7 @@ static int renew_lists(struct dem_device *d, struct dem_state *state,
             *end = 1;
             return DEM_OK;
         }
-        DEM_TRY(dem_device_keep_images(d));
+        DEM_TRY(changed ? DEM_OK : dem_device_keep_images(d));
         if (state->walls.periodic)
         {
             DEM_TRY(dem_device_wrap_walls(d, state));
@@ -259,14 +265,25 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
     while (!end && steps->made < steps->most && !steps->ends(state, steps->made))
     {
         const int64_t before = steps->made;
+        int changed = 0;
 
-        if (p.moved <= p.rest)
+        if (before > p.checked)
+        {
+            p.checked = before;
+            DEM_TRY(dem_device_check(d, state, steps, p.skin, &changed, &end));
+        }
+        if (changed)
+        {
+            DEM_TRY(renew_lists(d, state, steps, &p, 1, &end));
+        }
+        else if (!end && p.moved <= p.rest)
         {
             DEM_TRY(advance_batch(d, state, steps, &p, &end));
         }
-        if (!end && steps->made < steps->most && (p.moved > p.rest || steps->made == before))
+        if (!end && !changed && steps->made < steps->most &&
+            (p.moved > p.rest || steps->made == before))
         {
-            DEM_TRY(renew_lists(d, state, steps, &p, &end));
+            DEM_TRY(renew_lists(d, state, steps, &p, 0, &end));
         }
     }
     return DEM_OK;

@@ -59,6 +59,13 @@ struct dem_device_steps
     double (*rest)(const struct dem_state *);
     double max_displacement;  /* m  of a wall in a step, above which the host makes it */
     double max_speed;         /* m/s  of a particle, above which the host makes the step */
+    /* particles may enter or leave in steps whose number in the run is a multiple of this; 0: never.
+       Then the first function is called, with the records of the step on the host, and the second one
+       if particles do, with all that belongs to them. Particles that stay keep their order, and new
+       ones follow. Not for a device that does not make lists. */
+    int64_t check;
+    int (*enter_or_leave)(struct dem_state *, int *changes);
+    int (*change)(struct dem_state *);
     /* called after each batch of steps; 1: end here */
     int (*ends)(struct dem_state *, int64_t made);
     int64_t made;             /* result: 0: the host has to make the first one */

@@ -30,7 +30,8 @@ void dem_flows_free(struct dem_flows *f)
 
 int dem_flows_due(const struct dem_state *p)
 {
-    return p->flows->n > 0 && !p->flows->asked && p->steps%DEM_FLOW_STEPS == 0;
+    return p->flows->n > 0 && !p->flows->asked && p->steps%DEM_FLOW_STEPS == 0 &&
+           p->steps != p->flows->checked;
 }
 
 /* ---- beginning ------------------------------------------------------------------------------- */
@@ -354,4 +355,5 @@ void dem_flows_restore(struct dem_flows *f)
     f->next_id = f->backup_id;
     f->arrivals = f->departures = 0;
     f->now = f->left = 0;
+    f->checked = 0;
 }

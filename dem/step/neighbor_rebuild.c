@@ -236,6 +236,22 @@ static int migrate(struct dem_state *state, int rebalance, int weighted)
     return dem_halo_migrate(&state->halo, status, &state->particles, &state->contacts);
 }
 
+/* Collective. Wrap along periodic axes, and remove particles. */
+static int remove_particles(struct dem_state *state, int weighted, int status)
+{
+    DEM_TRY(dem_agree(state, status ? status : wrap_and_remove(state, weighted)));
+    return state->flows->n > 0 && (state->steps%REMOVAL_STEPS == 0 || state->flows->left)
+               ? dem_flows_sum_departures(state)
+               : DEM_OK;
+}
+
+int dem_neighbor_change_particles(struct dem_state *state)
+{
+    state->stale = 2;
+    DEM_TRY(remove_particles(state, 0, DEM_OK));
+    return migrate(state, 0, 0);
+}
+
 int dem_neighbor_prune(struct dem_state *state, int rebuilt)
 {
     int status;
@@ -333,12 +349,7 @@ int dem_neighbor_rebuild(struct dem_state *state)
     {
         dem_cell_reduce_offset(state);
     }
-    status = status ? status : wrap_and_remove(state, weighted);
-    DEM_TRY(dem_agree(state, status));
-    if (state->flows->n > 0 && (state->steps%REMOVAL_STEPS == 0 || state->flows->left))
-    {
-        DEM_TRY(dem_flows_sum_departures(state));
-    }
+    DEM_TRY(remove_particles(state, weighted, status));
     DEM_TRY(build_lists(state, migrate(state, rebalance, weighted)));
     state->stale = 0;
     state->rebuilds++;

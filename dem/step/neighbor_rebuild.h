@@ -16,6 +16,9 @@ int dem_neighbor_rebuild(struct dem_state *);
    `rebuilt`: with the history saved before a rebuild. */
 int dem_neighbor_prune(struct dem_state *, int rebuilt);
 
+/* Remove and insert the particles that leave and enter in this step; no lists of the host are valid then. */
+int dem_neighbor_change_particles(struct dem_state *);
+
 /* 1 in a step in which particles that have left the domain are removed. */
 int dem_neighbor_removal_is_due(const struct dem_state *);
 

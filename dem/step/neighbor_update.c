@@ -124,19 +124,26 @@ static int add_displacements(struct dem_pairs *s, const double *moved, int n)
     return check;
 }
 
+int dem_neighbor_check_particles(struct dem_state *state, int *changes)
+{
+    state->flows->now = dem_flows_due(state);
+    DEM_TRY(state->flows->now ? dem_flows_count_passages(state, 0.5*state->dt) : DEM_OK);
+    DEM_TRY(dem_neighbor_check_removals(state, changes));
+    state->flows->left = *changes;
+    if (state->flows->now && state->flows->plan->streams > 0)
+    {
+        DEM_TRY(dem_agree(state, dem_flows_find_positions(state, state->steps)));
+        *changes |= state->flows->arrivals > 0;
+    }
+    return DEM_OK;
+}
+
 static int update_lists(struct dem_state *state, const double *moved, int n, int observed)
 {
     struct dem_pairs *const s = &state->pairs;
     int changes, stale[DEM_LISTS] = {0, 0};
 
-    DEM_TRY(dem_neighbor_check_removals(state, &changes));
-    state->flows->left = changes;
-    state->flows->now = dem_flows_due(state);
-    if (state->flows->now && state->flows->plan->streams > 0)
-    {
-        DEM_TRY(dem_agree(state, dem_flows_find_positions(state, state->steps)));
-        changes |= state->flows->arrivals > 0;
-    }
+    DEM_TRY(dem_neighbor_check_particles(state, &changes));
     if (!state->stale)
     {
         const int both = add_displacements(s, moved, n);
@@ -243,7 +250,6 @@ int dem_neighbor_update(struct dem_state *state, const double *moved, int n, int
     {
         const int checked = dem_flows_due(state);
 
-        DEM_TRY(checked ? dem_flows_count_passages(state, 0.5*state->dt) : DEM_OK);
         DEM_TRY(update_lists(state, moved, n, observed));
         if (checked)
         {

@@ -14,6 +14,7 @@
 #include "sources/flows.h"
 #include "step/limits.h"
 #include "step/neighbor_rebuild.h"
+#include "step/neighbor_update.h"
 #include <math.h>
 
 enum
@@ -32,11 +33,44 @@ static int is_read(const struct dem_state *state, int64_t step)
            (state->backup.every > 0 && number >= state->backup.steps + state->backup.every);
 }
 
-/* 1 when particles may enter or leave in this step. */
+/* Particles may enter or leave in steps whose numbers are multiples of this; 0: in none. */
+static int64_t check_steps(const struct dem_state *state)
+{
+    return state->flows->n > 0 || state->domain.remove ? DEM_FLOW_STEPS : 0;
+}
+
+/* 1 when the host has to let particles enter or leave in this step. */
 static int changes_particles(const struct dem_state *state, int64_t step)
 {
-    return (state->flows->n > 0 || state->domain.remove) &&
-           (state->window.steps_before + step)%DEM_FLOW_STEPS == 0;
+    return !dem_device_makes_lists(state->device) && check_steps(state) > 0 &&
+           (state->window.steps_before + step)%check_steps(state) == 0;
+}
+
+static void end_check(struct dem_state *state)
+{
+    if (dem_flows_due(state))
+    {
+        dem_flows_end_check(state);
+    }
+    state->flows->now = state->flows->left = 0;
+    state->flows->checked = state->steps;
+}
+
+static int enter_or_leave(struct dem_state *state, int *changes)
+{
+    DEM_TRY(dem_neighbor_check_particles(state, changes));
+    if (!*changes)
+    {
+        end_check(state);
+    }
+    return DEM_OK;
+}
+
+static int change(struct dem_state *state)
+{
+    DEM_TRY(dem_neighbor_change_particles(state));
+    end_check(state);
+    return DEM_OK;
 }
 
 static int64_t count_steps(const struct dem_state *state, int64_t first)
@@ -146,6 +180,9 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     dem_device_set_skins(state, state->next_drift.max_speed);
     steps.rest = rest_of_lists;
     steps.ends = ends;
+    steps.check = dem_device_makes_lists(state->device) ? check_steps(state) : 0;
+    steps.enter_or_leave = enter_or_leave;
+    steps.change = change;
     steps.max_displacement = dem_limits_max_wall_displacement(state);
     steps.max_speed = dem_limits_max_speed(state);
     if (!dem_device_makes_lists(state->device) &&

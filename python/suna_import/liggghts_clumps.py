@@ -13,7 +13,7 @@ import math
 
 import numpy
 
-from .liggghts_insertion import Template
+from .liggghts_insertion import Base, Template
 from .scene_text import as_name, vector
 
 POINTS = 60             # along the longest side, to find the volume of a union
@@ -44,17 +44,12 @@ class Clump(Template):
 
 
 def template(t, name, group, words):
-    kind, density, number, spheres = 1, t.units.si("density", 1.0), None, None
-    rest = words[1:]
+    base, rest, number, spheres = Base(t), words[1:], None, None
     while rest:
         key = rest.pop(0)
-        if key in ("atom_type", "material"):
-            kind = t.atom_type(rest.pop(0))
-        elif key == "density":
-            if rest[0] != "constant":
-                t.refuse("a material has one density; write constant", f"density {rest[0]}")
-            density, rest = t.positive(rest[1], "density"), rest[2:]
-        elif key == "nspheres":
+        if base.takes(key, rest):
+            continue
+        if key == "nspheres":
             number = t.whole(rest.pop(0), 1, 256)
         elif key == "spheres":
             if number is None:
@@ -69,7 +64,7 @@ def template(t, name, group, words):
         t.refuse("spheres are missing")
     if not (spheres[:, 3] > 0).all():
         t.refuse("a radius is not above 0", "spheres")
-    t.templates[name] = Clump(kind, density, spheres, t.names.free("shapes", as_name(name)), t.command.place)
+    t.templates[name] = Clump(base.type, base.density, spheres, t.names.free("shapes", as_name(name)), t.command.place)
     t.translated("shapes")
 
 

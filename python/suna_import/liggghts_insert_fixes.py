@@ -8,7 +8,7 @@ import math
 import numpy
 
 from . import liggghts_clumps
-from .liggghts_insertion import Distribution, Insertion, Template
+from .liggghts_insertion import Base, Distribution, Insertion, Template
 from .scene_text import as_name, vector
 
 AMOUNTS = {                     # attribute of Insertion, kind of number
@@ -25,17 +25,12 @@ PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute",
 
 
 def template(t, name, group, words):
-    kind, density, style, radius = 1, t.units.si("density", 1.0), "constant", None
-    rest = words[1:]
+    base, rest, style, radius = Base(t), words[1:], "constant", None
     while rest:
         key = rest.pop(0)
-        if key == "atom_type":
-            kind = t.atom_type(rest.pop(0))
-        elif key == "density":
-            if rest[0] != "constant":
-                t.refuse("a material has one density; write constant", f"density {rest[0]}")
-            density, rest = t.positive(rest[1], "density"), rest[2:]
-        elif key == "radius":
+        if base.takes(key, rest):
+            continue
+        if key == "radius":
             style, radius, rest = radii(t, rest)
         elif key in ("volume_limit", "relative"):
             rest.pop(0)
@@ -43,7 +38,7 @@ def template(t, name, group, words):
             t.refuse("the importer does not know this word", f"particletemplate/sphere {key}")
     if radius is None:
         t.refuse("radius is missing")
-    t.templates[name] = Template(kind, density, style, radius, t.command.place)
+    t.templates[name] = Template(base.type, base.density, style, radius, t.command.place)
     t.translated("insert: diameter, sizes")
 
 

@@ -33,6 +33,26 @@ MOST_FILLED = 100       # volume of the spheres over the region: more is a mista
 NOW = 1e9               # 1/s, rate of a packing that is due at once
 
 
+class Base:
+    """The words that all templates share: atom type and density."""
+
+    def __init__(self, t):
+        self.t, self.type, self.density = t, 1, t.units.si("density", 1.0)
+
+    def takes(self, key, rest):
+        """Is it one of them? Then its value is taken from `rest`."""
+        if key in ("atom_type", "material"):
+            self.type = self.t.atom_type(rest.pop(0))
+        elif key == "density":
+            if rest[0] != "constant":
+                self.t.refuse("a material has one density; write constant", f"density {rest[0]}")
+            self.density = self.t.positive(rest[1], "density")
+            del rest[:2]
+        else:
+            return False
+        return True
+
+
 @dataclass
 class Template:
     type: int

@@ -30,7 +30,7 @@ Description
     jump, with density and viscosity of the fluids around them.
 
     Momentum and pressure are solved as in demPimpleFoam, times the density. Two cells
-    share the net force of a face in proportion to their inertia, not by geometry: else
+    share the net force of a face in proportion to their density, not by geometry: else
     the light fluid would get half of a force on the heavy one.
 
     The mesh may move (dynamicFvMesh) without changes of topology, as in demPimpleFoam.

@@ -172,7 +172,7 @@ class Liggghts(Lammps):
             model += " rolling_friction epsd2"
             lines += [f"fix m5 all property/global coefficientRollingFriction peratomtypepair 1 {ROLLING}"]
         if scene["law"] == "hopper":
-            mesh = [f"fix cone all mesh/surface file {os.path.join(scenes.HERE, 'hopper.stl')} type 1",
+            mesh = [f"fix cone all mesh/surface file {scenes.write_hopper(os.path.join(scenes.BEDS, 'hopper.stl'))} type 1",
                     f"fix hopper all wall/gran {model} mesh n_meshes 1 meshes cone"]
         if scene["law"] == "hysteresis":
             options = " tangential_damping off"

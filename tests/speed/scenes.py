@@ -6,6 +6,7 @@ spin.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 import os
 import shutil
 import subprocess
@@ -60,6 +61,24 @@ def spent(bed, command, folder, log):
         return [float(word) for word in text.read().splitlines()[-1].split()[1:]]
 
 
+def write_hopper(path):
+    """The frustum of hopper.dem, 64 triangles in STL. Returns the path."""
+    def corner(radius, z, k):
+        angle = math.pi*k/16
+        return f"{0.04 + radius*math.cos(angle):.7g} {0.04 + radius*math.sin(angle):.7g} {z}"
+
+    with open(path, "w") as file:
+        file.write("solid hopper\n")
+        for k in range(32):
+            low, next_low = corner(0.01, 0, k), corner(0.01, 0, k + 1)
+            high, next_high = corner(0.028, 0.06, k), corner(0.028, 0.06, k + 1)
+            for triangle in (low, high, next_low), (next_low, high, next_high):
+                file.write("facet normal 0 0 0\n outer loop\n" + "".join(f"  vertex {x}\n" for x in triangle)
+                           + " endloop\nendfacet\n")
+        file.write("endsolid hopper\n")
+    return path
+
+
 def file_of(law):
     return os.path.join(HERE, law + ".dem")
 
@@ -78,7 +97,7 @@ def settled(dem, bed, scene):
     if not os.path.exists(os.path.join(folder, "done")):
         os.makedirs(folder, exist_ok=True)
         if "mesh" in scene:
-            shutil.copy(os.path.join(HERE, scene["mesh"]), folder)
+            write_hopper(os.path.join(folder, scene["mesh"]))
         print(f"# settling {name} (once)", flush=True)
         other = []
         if "spheres" in scene:

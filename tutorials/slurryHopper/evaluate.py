@@ -15,7 +15,6 @@ Rates are fits to the mass between a fifth and three fifths of the grains. Bound
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import csv
 import math
 import re
 import sys
@@ -31,11 +30,6 @@ import side                         # noqa: E402
 
 D, RHO = 2.5e-3, 2500
 SLOT, BIN, DEPTH, CONE, TOP = 0.02, 0.08, 0.02, 0.04, 0.16   # m; CONE is the height of the sloping walls
-
-
-def table_of(run, name):
-    with open(run/"postProcessing/dem/0"/name, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def grains(run):
@@ -70,7 +64,7 @@ def bulk_density(run):
 
 def balances(table, run):
     results.balances(table, run.name, run, volume=False)
-    last = table_of(run, "budget.csv")[-1]
+    last = frames.read_table(run, "dem", "budget.csv")[-1]
     table.add(run.name, "volume that no flow explains over volume that left", 0,
               abs(float(last["rest.volume[m3]"])/float(last["flow:outlet.volume[m3]"])), allowed=1e-9, source="identity")
 

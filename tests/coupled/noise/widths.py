@@ -19,6 +19,7 @@ import sys
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[1]), str(Path(__file__).resolve().parent)]
+import oblique
 import study
 from case import *
 from study import BED, D, Scene, commit, ergun, gas_enters, machine, patch_mean, sphere
@@ -27,8 +28,6 @@ KERNELS = {"linear": "kernel linear;", "3": "", "2": "width 2;", "1.5": "width 1
            "3, law 1": "lawWidth 1;", "2, law 1": "width 2; lawWidth 1;", "1.5, law 1": "width 1.5; lawWidth 1;"}
 SPACING = 1.0154                        # of the bed's layers [d]: solid fraction 0.5
 AIR = 1.5e-5                            # m2/s
-SPEED = 0.01                            # of the falling sphere by its law [m/s]
-DIRECTION = np.array((1, 0.37, 0.21))/np.linalg.norm((1, 0.37, 0.21))
 
 
 def even(name, cell, entries, layers=15, run=True):
@@ -59,28 +58,13 @@ def bed(entries):
             for layers in (15, 8) for cell in (2, 1)]
 
 
-def factor(Re):
-    """Schiller and Naumann (1933), over Stokes's drag."""
-    return 1 + 0.15*Re**0.687
-
-
 def fall(cell, Re, entries):
     """Speed over the law's, mean of the second half of the way."""
+    case = Scene("fall")
     travel, step = (2, 0.1) if Re < 1 else (6, 0.25*cell)
-    case, nu, n = Scene("fall"), SPEED*D/Re, round(20/cell)
-    length, T = n*cell*D, step*D/SPEED
-    case.flow("(0 0 0)", "walls { type slip; }", "walls { type fixedFluxPressure; }")
-    case.gravity(vector(18*nu*1000/(D**2*1650)*factor(Re)*SPEED*DIRECTION))
-    case.box((length,)*3, (n,)*3, {"walls": ("wall", "x- x+ y- y+ z- z+")})
-    start = length/2 - DIRECTION*(0.5*travel*D) + 0.23*cell*D*np.array((1, -0.5, 0.3))
-    case.solve(T, T*round(travel/step), nu, f"""
-materials {{ glass {{ density 2650; youngsModulus 1e5; }} }}
-effects {{ hertz {{}} schillerNaumann {{}} pressureGradient {{}} }}
-insert {{ sphere {{ type list; diameter {D};
-    positions ({vector(start)}); }} }}
-coupling {{ rho 1000; {entries} }}""")
-    v = case.vectors("particles", "momentum") @ DIRECTION/(2650*math.pi*D**3/6*SPEED)
-    return v[len(v)//2:].mean()
+    oblique.prepare(case, entries, cell, Re, travel, step)
+    case.run("demPimpleFoam")
+    return oblique.mean(case)
 
 
 def alone(entries):

@@ -11,14 +11,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from case import *
 from closures import gidaspow_gradient, lattice_void
-
-d, speed = 1e-3, 0.01                                 # m, m/s: terminal speed of the law
-direction = np.array((1, 0.37, 0.21))/np.linalg.norm((1, 0.37, 0.21))
-
-
-def factor(Re):
-    """Schiller and Naumann (1933), over Stokes's drag."""
-    return 1 + 0.15*Re**0.687
+from oblique import *
 
 
 def relaxation(Re, density=2650):
@@ -26,42 +19,14 @@ def relaxation(Re, density=2650):
     return density/1000/18*Re/factor(Re)
 
 
-def fall(name, kernel, cell, Re, own="yes", travel=6.0, step=0.25, density=2650, start=0.0, behind=None, run=True):
-    """A sphere in a box of 20 diameters with cells of `cell` diameters, at the law's Re. Travel at the law's speed, and
-    at that speed in a step, in diameters; speed at the start over the law's; a second sphere so far behind [d]."""
+def fall(name, kernel, cell, Re, own="yes", run=True, **way):
     case = Case(re.sub("[^a-z0-9]+", "-", name), source="shared")
-    nu = speed*d/Re
-    g = 18*nu*1000/(d**2*(density - 1000))*factor(Re)*speed
-    T = step*d/speed
-    n = round(20/cell)
-    length = n*cell*d
-    case.flow("(0 0 0)", "walls { type slip; }", "walls { type fixedFluxPressure; }")
-    case.gravity(vector(g*direction))
-    case.controls(T*round(travel/step), T, nu=nu)
-    case.box((length,)*3, (n,)*3, {"walls": ("wall", "x- x+ y- y+ z- z+")})
-    middle = length/2 - direction*(0.5*travel*d) + 0.23*cell*d*np.array((1, -0.5, 0.3))
-    positions = [middle] if behind is None else [middle, middle - behind*d*direction]
-    case.properties(f"sphere {{ density {density}; youngsModulus 1e5; }}",
-                    "hertz {} schillerNaumann {} pressureGradient {}",
-                    f"sphere {{ type list; diameter {d}; positions ({' '.join(map(vector, positions))}); "
-                    f"velocity {vector(start*speed*direction)}; }}",
-                    f"rho 1000; kernel {kernel}; ownWake {own};")
+    prepare(case, f"kernel {kernel}; ownWake {own};", cell, Re, **way)
     if run:
         case.run("demPimpleFoam")
         claim_ran(f"{name}: runs", case)
         claim(f"{name}: exchange closes", worst(case.log(), "exchange error") < 1e-12)
     return case
-
-
-def speeds(case, density=2650):
-    """Speed along the direction over the law's, after each step; of a pair the sum."""
-    return case.vectors("particles", "momentum") @ direction/(density*np.pi*d**3/6*speed)
-
-
-def mean(case):
-    """Over the second half of the travel."""
-    v = speeds(case)
-    return v[len(v)//2:].mean()
 
 
 def law(steps, T, Re, density):

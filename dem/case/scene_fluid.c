@@ -1,0 +1,91 @@
+/*
+ * scene_fluid.c -- the entry fluid: a uniform fluid for drag laws and other fluid effects.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "core/error.h"
+#include "case/scene_internal.h"
+#include <float.h>
+
+/* Entries that only some effects need; without such an effect they are refused as unread. */
+static int read_fluid_derivatives(struct dem_uniform_fluid *f, const struct dem_dict *dict,
+                                  unsigned needs)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+
+    DEM_TRY(needs & DEM_NEEDS_ACCELERATION
+                ? dem_dict_vector_or(dict, "acceleration", "m/s2", zero, f->acceleration)
+                : DEM_OK);
+    DEM_TRY(needs & DEM_NEEDS_VORTICITY
+                ? dem_dict_vector_or(dict, "vorticity", "1/s", zero, f->vorticity)
+                : DEM_OK);
+    if (needs & DEM_NEEDS_TURBULENCE)
+    {
+        DEM_TRY(dem_dict_number_or(dict, "turbulentEnergy", "m2/s2", 0.0, &f->turbulence[0]));
+        DEM_TRY(dem_dict_number_or(dict, "dissipation", "m2/s3", 0.0, &f->turbulence[1]));
+        DEM_REQUIRE(f->turbulence[0] >= 0.0
+                        && f->turbulence[1] >= (f->turbulence[0] > 0.0 ? DBL_MIN : 0.0),
+                    DEM_ERROR_INPUT,
+                    "%s: fluid: turbulentEnergy %g m2/s2, dissipation %g m2/s3; both must be above"
+                    " 0, or both 0",
+                    dem_dict_where(dict), f->turbulence[0], f->turbulence[1]);
+    }
+    return needs & DEM_NEEDS_STRESS
+             ? dem_dict_vector_or(dict, "viscousStress", "N/m3", zero, f->stress)
+             : DEM_OK;
+}
+
+/* Values of the fluid that are scalars of the effects. */
+static int read_fluid_scalars(struct dem_uniform_fluid *f, const struct dem_dict *dict,
+                              const struct dem_interaction_table *r)
+{
+    for (int k = 0; k < r->scalars; k++)
+    {
+        const struct dem_scalar *const s = r->scalar[k];
+        double *const value = &f->value[f->scalars];
+
+        if (s->fluid_entry)
+        {
+            DEM_TRY(dem_dict_number(dict, s->fluid_entry, s->unit, value));
+            DEM_REQUIRE(*value > 0.0 && *value <= s->max, DEM_ERROR_INPUT,
+                        "%s: fluid: %s %g %s; give a number above 0, at most %g",
+                        dem_dict_where(dict), s->fluid_entry, *value, s->unit, s->max);
+            f->scalar[f->scalars++] = k;
+        }
+    }
+    return DEM_OK;
+}
+
+int dem_scene_read_fluid(struct dem_uniform_fluid *f, const struct dem_dict *scene,
+                         const struct dem_interaction_table *r)
+{
+    static const double zero[3] = {0.0, 0.0, 0.0};
+    const struct dem_dict *dict;
+    double hydrostatic[3];
+
+    DEM_TRY(dem_dict_sub_if(scene, "fluid", &dict));
+    if (!dict)
+    {
+        return DEM_OK;
+    }
+    f->given = 1;
+    DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, f->velocity));
+    DEM_TRY(dem_dict_number(dict, "density", "kg/m3", &f->density));
+    DEM_TRY(dem_dict_number(dict, "viscosity", "Pa s", &f->viscosity));
+    DEM_TRY(dem_dict_number_or(dict, "voidFraction", "1", 1.0, &f->void_fraction));
+    DEM_REQUIRE(f->density > 0.0 && f->viscosity > 0.0 && f->void_fraction > 0.0
+                    && f->void_fraction <= 1.0,
+                DEM_ERROR_INPUT,
+                "%s: fluid: density %g kg/m3, viscosity %g Pa s, voidFraction %g; all must be "
+                "above 0, the last at most 1",
+                dem_dict_where(dict), f->density, f->viscosity, f->void_fraction);
+    DEM_TRY(read_fluid_derivatives(f, dict, dem_interaction_table_needs(r)));
+    DEM_TRY(read_fluid_scalars(f, dict, r));
+    /* the default: a fluid at rest under the scene's gravity, gradient rho g */
+    dem_interaction_table_gravity(r, hydrostatic);
+    for (int k = 0; k < 3; k++)
+    {
+        hydrostatic[k] *= f->density;
+    }
+    return dem_dict_vector_or(dict, "pressureGradient", "Pa/m", hydrostatic, f->pressure_gradient);
+}
