@@ -74,12 +74,12 @@ bool Foam::demCloud::correctParticles
 
 void Foam::demCloud::reportMomentum(const vector& ofMesh, const vector& moreOwed)
 {
-    struct dem_totals now;
-    demCheck(dem_totals(particles_.core(), &now));
     particles_.refresh();
 
+    // As evolve() left it: the correction acts in the next step
+    const double* now = particles_.totals().momentum;
     const vector fluid(particles_.transfer().toFullCircle() & ofMesh);
-    const vector particles(now.momentum[0], now.momentum[1], now.momentum[2]);
+    const vector particles(now[0], now[1], now[2]);
     const vector owed(demMomentumBalance::owed(particles_.fluid()) + moreOwed);
 
     Info<< "Suna: momentum fluid " << fluid << " particles " << particles

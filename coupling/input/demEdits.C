@@ -70,7 +70,7 @@ Foam::demEdits::demEdits(const Time& time, const fileName& file)
 {
     string why;
 
-    if (Pstream::master())
+    if (Pstream::master() && time_.runTimeModifiable())
     {
         changed_ = highResLastModified(file_);
         read(used_, why);

@@ -7,6 +7,7 @@
 
 #include "demLinearWeights.H"
 #include "wedgePolyPatch.H"
+#include <vector>
 
 namespace Foam
 {
@@ -329,7 +330,8 @@ void Foam::demLinearWeights::collect
 {
     const faceList& faces = mesh_.faces();
     Field<Type> atPoints(mesh_.nPoints(), Zero);
-    Field<Type> atFaces(mesh_.nFaces(), Zero);
+    Field<Type> atFaces(mesh_.nFaces());            // of faces that have been used
+    std::vector<char> used(size_t(mesh_.nFaces()), 0);
 
     forAll(atPoints, pointi)
     {
@@ -360,19 +362,20 @@ void Foam::demLinearWeights::collect
 
     addCopies(atPoints);
 
-    forAll(atFaces, facei)
-    {
-        const face& f = faces[facei];
-        for (const label pointi : f)
-        {
-            atFaces[facei] += atPoints[pointi];
-        }
-        atFaces[facei] /= f.size();
-    }
-
     forAll(locations, i)
     {
         const demCellLocation& s = locations[i];
+        if (!used[s.face])
+        {
+            const face& f = faces[s.face];
+            Type sum(Zero);
+            for (const label pointi : f)
+            {
+                sum += atPoints[pointi];
+            }
+            atFaces[s.face] = sum/f.size();
+            used[s.face] = 1;
+        }
         values[i] =
             s.wCell*cells[s.cell]
           + s.wFace*atFaces[s.face]

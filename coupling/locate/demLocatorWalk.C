@@ -44,6 +44,33 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * tetrahedra  * * * * * * * * * * * * * * * * //
 
+// d = wFace*e + wp*p + wq*q; the least of these weights, -GREAT for degenerate tetrahedra, which
+// have no interior. pd, qd: (d ^ e) & p, (d ^ e) & q
+inline Foam::scalar Foam::demLocator::weights
+(
+    const vector& d,
+    const vector& e,
+    const vector& p,
+    const vector& q,
+    const scalar pd,
+    const scalar qd,
+    vector& w
+)
+{
+    const vector pxq(p ^ q);
+    const scalar volume = e & pxq;
+
+    if (sqr(volume) <= degenerate*magSqr(e)*magSqr(pxq))
+    {
+        return -GREAT;
+    }
+    w = vector((d & pxq)/volume, -qd/volume, pd/volume);
+    return min(w.x(), min(w.y(), w.z()));
+}
+
+
+// First only the triangles whose points p and q lie on either side of the plane through d and e:
+// no other contains d
 void Foam::demLocator::tryFace
 (
     const label facei,
@@ -58,41 +85,41 @@ void Foam::demLocator::tryFace
     const vector e(faceMean_[facei] - centre);
     const vector dxe(d ^ e);
 
-    label pi = f.last();
-    vector p(points[pi] - centre);
-
-    for (const label qi : f)
+    for (const bool all : {false, true})
     {
-        // d = wFace*e + wp*p + wq*q
-        const vector q(points[qi] - centre);
-        const vector pxq(p ^ q);
-        const scalar volume = e & pxq;
+        label pi = f.last();
+        vector p(points[pi] - centre);
+        scalar pd = dxe & p;
 
-        // degenerate tetrahedra have no interior
-        if (sqr(volume) > degenerate*magSqr(e)*magSqr(pxq))
+        for (const label qi : f)
         {
-            const scalar wFace = (d & pxq)/volume;
-            const scalar wp = -(dxe & q)/volume;
-            const scalar wq = (dxe & p)/volume;
-            const scalar smallest = min(wFace, min(wp, wq));
+            const vector q(points[qi] - centre);
+            const scalar qd = dxe & q;
+            vector w(Zero);
 
-            if (smallest > best)
+            if (all || pd*qd <= 0)
             {
-                best = smallest;
-                location.face = facei;
-                location.p = pi;
-                location.q = qi;
-                location.wFace = wFace;
-                location.wp = wp;
-                location.wq = wq;
-                if (best >= 0)
+                const scalar smallest = weights(d, e, p, q, pd, qd, w);
+
+                if (smallest > best && (all || smallest >= 0))
                 {
-                    return;
+                    best = smallest;
+                    location.face = facei;
+                    location.p = pi;
+                    location.q = qi;
+                    location.wFace = w.x();
+                    location.wp = w.y();
+                    location.wq = w.z();
+                    if (best >= 0)
+                    {
+                        return;
+                    }
                 }
             }
+            pi = qi;
+            p = q;
+            pd = qd;
         }
-        pi = qi;
-        p = q;
     }
 }
 
@@ -368,12 +395,30 @@ void Foam::demLocator::clampToCell(const walkState& t, demCellLocation& location
 }
 
 
-Foam::label Foam::demLocator::search(const point& position, scalar& distance) const
+// The walk counts only if it ends inside a cell, not on its faces, and without a passage
+Foam::label Foam::demLocator::search
+(
+    const point& position,
+    const label near,
+    scalar& distance
+) const
 {
     distance = GREAT;
     if (mesh_.nCells() == 0)
     {
         return -1;
+    }
+
+    walkState t{position, near, Pstream::myProcNo(), 0};
+    demCellLocation location;
+    if
+    (
+        walk(t, location) == INSIDE && location.wCell > onFace
+     && t.passages == 0 && t.position == position
+    )
+    {
+        distance = 0;
+        return t.cell;
     }
 
     const label celli = mesh_.cellTree().findInside(position);

@@ -145,11 +145,12 @@ void Foam::demParticleRouting::searchAll()
     forAll(in_, rank)
     {
         const DynamicList<scalar>& message = in_[rank];
+        label celli = -1;
         for (label k = 0; k < message.size(); k += searchSize)
         {
             const point x(message[k], message[k + 1], message[k + 2]);
             scalar distance;
-            const label celli = locator_.search(x, distance);
+            celli = locator_.search(x, celli, distance);
 
             out_[rank].append(message[k + 3]);
             out_[rank].append(celli);

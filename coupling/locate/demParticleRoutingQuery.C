@@ -10,8 +10,11 @@
 #include "ListOps.H"
 #include "Map.H"
 #include "PstreamReduceOps.H"
+#include "UIndirectList.H"
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 
 namespace Foam
@@ -299,15 +302,25 @@ Foam::demParticleRouting::lostParticles Foam::demParticleRouting::locate
         }
     }
 
-    buildMap();
-    sort(view);
+    sort(buildMap(view));
 
     return lostParticles{0, -1, Zero, Zero};
 }
 
 
-void Foam::demParticleRouting::buildMap()
+Foam::List<int64_t> Foam::demParticleRouting::buildMap(const demView& view)
 {
+    List<int64_t> id(nParticles_);
+    forAll(id, i)
+    {
+        id[i] = idOf(view, i);
+    }
+    if (!Pstream::parRun())
+    {
+        particle_ = found_[0];
+        return List<int64_t>(id, particle_);
+    }
+
     labelListList particles(Pstream::nProcs());
     labelListList locations(Pstream::nProcs());
     labelList count(Pstream::nProcs(), Zero);
@@ -331,42 +344,69 @@ void Foam::demParticleRouting::buildMap()
     (
         new mapDistributeBase(locations_.size(), std::move(particles), std::move(locations))
     );
+    map_().distribute(id);
+    return id;
 }
 
 
-void Foam::demParticleRouting::sort(const demView& view)
+Foam::labelList Foam::demParticleRouting::orderByCell(const UList<int64_t>& id) const
 {
-    List<int64_t> id(nParticles_);
-    forAll(id, i)
+    typedef std::pair<int64_t, label> entry;
+
+    label nCells = 0;
+    for (const demCellLocation& location : locations_)
     {
-        id[i] = idOf(view, i);
+        nCells = max(nCells, location.cell + 1);
     }
-    map_().distribute(id);
+    labelList end(nCells + 1, Zero);
+    for (const demCellLocation& location : locations_)
+    {
+        ++end[location.cell + 1];
+    }
+    for (label cell = 0; cell < nCells; ++cell)
+    {
+        end[cell + 1] += end[cell];
+    }
 
-    labelList order(identity(locations_.size()));
-    std::sort
-    (
-        order.begin(),
-        order.end(),
-        [&](const label a, const label b)
-        {
-            return
-                locations_[a].cell < locations_[b].cell
-             || (locations_[a].cell == locations_[b].cell && id[a] < id[b]);
-        }
-    );
+    std::vector<entry> entries(locations_.size());
+    forAll(locations_, k)
+    {
+        entries[end[locations_[k].cell]++] = entry(id[k], k);
+    }
+    label begin = 0;
+    for (label cell = 0; cell < nCells; ++cell)
+    {
+        std::sort(entries.begin() + begin, entries.begin() + end[cell]);
+        begin = end[cell];
+    }
 
-    const List<demCellLocation> locations(locations_);
-    const labelList owner(owner_);
-    labelList index(order.size());
-
+    labelList order(locations_.size());
     forAll(order, k)
     {
-        locations_[k] = locations[order[k]];
-        owner_[k] = owner[order[k]];
+        order[k] = entries[k].second;
+    }
+    return order;
+}
+
+
+void Foam::demParticleRouting::sort(const UList<int64_t>& id)
+{
+    const labelList order(orderByCell(id));
+
+    List<demCellLocation> locations(locations_, order);
+    locations_.transfer(locations);
+    if (!Pstream::parRun())
+    {
+        particle_ = labelList(UIndirectList<label>(particle_, order));
+        return;
+    }
+    owner_ = labelList(UIndirectList<label>(owner_, order));
+
+    labelList index(order.size());
+    forAll(order, k)
+    {
         index[order[k]] = k;
     }
-
     labelListList to(map_().constructMap());
     for (labelList& list : to)
     {

@@ -8,6 +8,7 @@
 #include "demTransfer.H"
 #include "demCheck.H"
 #include "demSlidingInterface.H"
+#include <cstring>
 
 void Foam::demTransfer::read()
 {
@@ -60,6 +61,7 @@ void Foam::demTransfer::read()
 
 void Foam::demTransfer::setWidths()
 {
+    forget();
     kernel_().setWidth(diameter_, width_*diameter_);
     if (lawWidth_ > 0)
     {
@@ -101,7 +103,8 @@ Foam::demTransfer::demTransfer
     lawWidth_(0),
     minVoidFraction_(0),
     diameter_(0),
-    keepsOwnWeights_(false)
+    keepsOwnWeights_(false),
+    oldest_(0)
 {
     demSlidingInterface::check(mesh);
     if (demWedge::is(mesh))
@@ -165,6 +168,7 @@ Foam::demParticleRouting::lostParticles Foam::demTransfer::locate
         }
         build();
     }
+    forget();
     limiter_().clear();
     locator_().setPeriods(vector(view.period[0], view.period[1], view.period[2]));
     if (wedge_.valid())
@@ -236,6 +240,47 @@ Foam::tmp<Foam::Field<Type>> Foam::demTransfer::sample(const UList<Type>& cells)
 }
 
 
+void Foam::demTransfer::forget()
+{
+    for (sampled& s : recent_)
+    {
+        s.known = false;
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::demTransfer::sample(const volScalarField& field) const
+{
+    return sample<scalar>(field.primitiveField());
+}
+
+
+// A solver corrects the particles with fields that they receive again in the next step
+Foam::tmp<Foam::vectorField> Foam::demTransfer::sample(const volVectorField& field) const
+{
+    const vectorField& cells = field.primitiveField();
+
+    for (const sampled& s : recent_)
+    {
+        const bool same =
+            s.known
+         && std::memcmp(s.cells.cdata(), cells.cdata(), cells.size()*sizeof(vector)) == 0;
+
+        if (returnReduce(same, andOp<bool>()))
+        {
+            return tmp<vectorField>(new vectorField(s.values));
+        }
+    }
+
+    sampled& s = recent_[oldest_];
+    oldest_ = 1 - oldest_;
+    s.cells = cells;
+    s.values = sample<vector>(cells);
+    s.known = true;
+    return tmp<vectorField>(new vectorField(s.values));
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::demTransfer::findOwnWeights() const
 {
     tmp<scalarField> tq(new scalarField(routing_().locations().size()));
@@ -293,6 +338,7 @@ void Foam::demTransfer::depositVolume
     volScalarField::Internal& solid
 )
 {
+    forget();
     spread(volumes, solid.field());
     if (lawWidth_ > 0)
     {
@@ -311,12 +357,6 @@ Foam::demTransfer::sample(const UList<Type>&) const;                           \
                                                                                \
 template void Foam::demTransfer::deposit                                       \
 (const UList<Type>&, Field<Type>&) const;                                      \
-                                                                               \
-Foam::tmp<Foam::Field<Foam::Type>>                                             \
-Foam::demTransfer::sample(const VolField& field) const                         \
-{                                                                              \
-    return sample<Type>(field.primitiveField());                               \
-}                                                                              \
                                                                                \
 void Foam::demTransfer::deposit                                                \
 (const UList<Type>& perParticle, VolField& density) const                      \

@@ -42,6 +42,11 @@ void dem_sum_normalise(struct dem_sum *s)
 
 void dem_sum_add(struct dem_sum *s, double value)
 {
+    dem_sum_add_times(s, value, 1);
+}
+
+void dem_sum_add_times(struct dem_sum *s, double value, int64_t n)
+{
     struct dem_sum_digits d;
 
     if (!dem_sum_digits_of(value, &d))
@@ -50,14 +55,19 @@ void dem_sum_add(struct dem_sum *s, double value)
 
         s->part[bits & 0xfffffffffffffu ? DEM_SUM_NAN
                 : bits >> 63            ? DEM_SUM_MINUS
-                                        : DEM_SUM_PLUS]++;
+                                        : DEM_SUM_PLUS] += n;
         return;
+    }
+    if (n > 1 && s->part[DEM_SUM_ADDED] + n > MAX_ADDED)
+    {
+        dem_sum_normalise(s);
     }
     for (int k = 0; k < 3; k++)
     {
-        s->part[d.first + k] += d.digit[k];
+        s->part[d.first + k] += n*d.digit[k];
     }
-    if (++s->part[DEM_SUM_ADDED] >= MAX_ADDED)
+    s->part[DEM_SUM_ADDED] += n;
+    if (s->part[DEM_SUM_ADDED] >= MAX_ADDED)
     {
         dem_sum_normalise(s);
     }

@@ -39,6 +39,8 @@ struct dem_sum
 
 void dem_sum_clear(struct dem_sum *s);                /* begin again */
 void dem_sum_add(struct dem_sum *s, double value);    /* any double; any number of times */
+/* as n additions of the same value, 0 <= n <= 2^30 */
+void dem_sum_add_times(struct dem_sum *s, double value, int64_t n);
 /* propagate carries; then up to 2^30 ranks may be added */
 void dem_sum_normalise(struct dem_sum *s);
 

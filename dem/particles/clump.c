@@ -45,35 +45,6 @@ void dem_clump_product(const double a[4], const double b[4], double out[4])
     out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
 }
 
-/* Rotate about principal axis k over h [s] with the present angular momentum. */
-static void turn_about(struct dem_clump *b, int k, double h)
-{
-    double body[3], turned[4], by[4] = {1.0, 0.0, 0.0, 0.0};
-
-    dem_clump_rotate_back(b->q, b->momentum, body);
-    const double x = 0.5*h*body[k]/b->inertia[k], s = x*x;
-
-    by[1 + k] = x*(1.0 + s*(1.0/3.0 + s*(2.0/15.0 + s*(17.0/315.0 + s*(62.0/2835.0 +
-                                                                    s*(1382.0/155925.0))))));
-    dem_clump_product(b->q, by, turned);
-    const double scale = 1.0/sqrt(turned[0]*turned[0] + turned[1]*turned[1] + turned[2]*turned[2] +
-                                  turned[3]*turned[3]);
-
-    for (int c = 0; c < 4; c++)
-    {
-        b->q[c] = scale*turned[c];
-    }
-}
-
-void dem_clump_turn(struct dem_clump *b, double dt)
-{
-    turn_about(b, 2, 0.5*dt);
-    turn_about(b, 1, 0.5*dt);
-    turn_about(b, 0, dt);
-    turn_about(b, 1, 0.5*dt);
-    turn_about(b, 2, 0.5*dt);
-}
-
 void dem_clump_spin(const struct dem_clump *b, double w[3])
 {
     double body[3];
@@ -266,59 +237,57 @@ void dem_clump_put(const struct dem_clump *b, const struct dem_domain *d, struct
     }
 }
 
-/* Write the body of the first sphere to the others. */
-static void share(const struct dem_clumps *c, size_t body, const struct dem_particles *p)
+/* Bodies that turn side by side: drift them, and write their places to all spheres. */
+static void drift_several(const struct dem_clumps *c, struct dem_particles *p, const struct dem_domain *d,
+                          double dt, size_t first, int n)
 {
-    const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+    struct dem_clump *body[DEM_CLUMP_LANES] = {NULL};
+    double spin[DEM_CLUMP_LANES][3], move[3];
 
-    for (size_t k = c->start[body] + 1; k < c->start[body + 1]; k++)
+    for (int m = 0; m < n; m++)
     {
-        struct dem_clump *const to = dem_clump_at(p, c->member[k]);
+        body[m] = dem_clump_at(p, c->member[c->start[first + (size_t)m]]);
+        for (int k = 0; k < 3; k++)
+        {
+            body[m]->x[k] += rounded(d, k, dt*body[m]->v[k]);
+        }
+    }
+    dem_clump_turn_several(body, n, dt, spin);
+    for (int m = 0; m < n; m++)
+    {
+        for (size_t k = c->start[first + (size_t)m]; k < c->start[first + (size_t)m + 1]; k++)
+        {
+            struct dem_particle *const r = &p->record[c->member[k]];
+            struct dem_clump *const to = dem_clump_at(p, c->member[k]);
 
-        memcpy(to->x, b->x, sizeof b->x);
-        memcpy(to->v, b->v, sizeof b->v);
-        memcpy(to->q, b->q, sizeof b->q);
-        memcpy(to->momentum, b->momentum, sizeof b->momentum);
+            memmove(to->x, body[m]->x, sizeof to->x);
+            memmove(to->q, body[m]->q, sizeof to->q);
+            displacement(p, c->member[k], d, move);
+            for (int a = 0; a < 3; a++)
+            {
+                r->v[a] = move[a]/dt;
+                r->w[a] = spin[m][a];
+            }
+        }
     }
 }
 
 void dem_clumps_drift(const struct dem_clumps *c, struct dem_particles *p,
                       const struct dem_domain *d, double dt)
 {
-    for (size_t body = 0; body < c->n; body++)
+    for (size_t first = 0; first < c->n; first += DEM_CLUMP_LANES)
     {
-        struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
-        double before[3], after[3], move[3];
-
-        dem_clump_spin(b, before);
-        for (int k = 0; k < 3; k++)
-        {
-            b->x[k] += rounded(d, k, dt*b->v[k]);
-        }
-        dem_clump_turn(b, dt);
-        dem_clump_spin(b, after);
-        share(c, body, p);
-        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
-        {
-            struct dem_particle *const r = &p->record[c->member[k]];
-
-            displacement(p, c->member[k], d, move);
-            for (int a = 0; a < 3; a++)
-            {
-                r->v[a] = move[a]/dt;
-                r->w[a] = 0.5*(before[a] + after[a]);
-            }
-        }
+        drift_several(c, p, d, dt, first,
+                      c->n - first < DEM_CLUMP_LANES ? (int)(c->n - first) : DEM_CLUMP_LANES);
     }
 }
 
-/* Velocity and spin of a sphere from its body. */
-static void set_velocity(struct dem_particles *p, size_t i)
+/* Velocity and spin of a sphere from its body, which has the spin w. */
+static void set_velocity(struct dem_particles *p, size_t i, const double w[3])
 {
     const struct dem_clump *const b = dem_clump_at(p, i);
-    double w[3], arm[3], turning[3];
+    double arm[3], turning[3];
 
-    dem_clump_spin(b, w);
     dem_clump_rotate(b->q, b->offset, arm);
     dem_vec_cross(w, arm, turning);
     for (int a = 0; a < 3; a++)
@@ -338,7 +307,10 @@ void dem_clump_fall(struct dem_particles *p, size_t i, const double g[3], double
     }
     if (b)
     {
-        set_velocity(p, i);
+        double w[3];
+
+        dem_clump_spin(b, w);
+        set_velocity(p, i, w);
     }
 }
 
@@ -366,10 +338,17 @@ void dem_clump_contact_sums(const struct dem_clumps *c, size_t body, const struc
 
 void dem_clump_spread(const struct dem_clumps *c, size_t body, struct dem_particles *p)
 {
-    share(c, body, p);
+    const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+    double w[3];
+
+    dem_clump_spin(b, w);
     for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
     {
-        set_velocity(p, c->member[k]);
+        struct dem_clump *const to = dem_clump_at(p, c->member[k]);
+
+        memmove(to->v, b->v, sizeof to->v);
+        memmove(to->momentum, b->momentum, sizeof to->momentum);
+        set_velocity(p, c->member[k], w);
     }
 }
 

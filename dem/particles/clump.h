@@ -110,8 +110,12 @@ void dem_particle_share(const struct dem_particles *, size_t particle, struct de
 /* The largest distance [m] of a sphere from the centre of its body, on this rank. */
 double dem_clumps_reach(const struct dem_particles *);
 
-/* Free rotation over dt [s]. */
+/* Bodies that turn side by side, clump_turn.c. */
+#define DEM_CLUMP_LANES 8
+
+/* Free rotation over dt [s]; of up to DEM_CLUMP_LANES bodies, with the mean of the spins at both ends [1/s]. */
 void dem_clump_turn(struct dem_clump *, double dt);
+void dem_clump_turn_several(struct dem_clump *const *body, int n, double dt, double mean_spin[][3]);
 
 void dem_clumps_free(struct dem_clumps *);
 

@@ -36,7 +36,8 @@ void dem_totals_reduce_max(const struct dem_state *p, double *value, int count)
 
 enum
 {
-    SUMS = 8                                              /* of a tally */
+    SUMS = 8,                                             /* of a tally */
+    MAX_ROW = 1 << 20
 };
 
 double dem_totals_scalar(const struct dem_state *p, int k)
@@ -91,9 +92,28 @@ double dem_totals_volume(const struct dem_state *p, const struct dem_particle *r
                    : dem_particle_volume(r);
 }
 
-static void add_particle(struct dem_sum sum[SUMS], const struct dem_state *p, size_t i)
+/* Particles in a row with the same volume, mass, moving diameter and moving mass: most, in a bed of
+   equal spheres. They are added at once. */
+struct row
+{
+    double value[4];
+    int64_t n;
+};
+
+static void add_row(struct dem_sum sum[4], struct row *row)
+{
+    for (int k = 0; k < 4; k++)
+    {
+        dem_sum_add_times(&sum[k], row->value[k], row->n);
+    }
+    row->n = 0;
+}
+
+static void add_particle(struct dem_sum sum[SUMS], struct row *row, const struct dem_state *p,
+                         size_t i)
 {
     const struct dem_particle *const r = &p->particles.record[i];
+    const int frozen = r->flags & DEM_PARTICLE_FROZEN;
     struct dem_particle_share s;
 
     dem_particle_share(&p->particles, i, &s);
@@ -102,10 +122,16 @@ static void add_particle(struct dem_sum sum[SUMS], const struct dem_state *p, si
     {
         dem_sum_add(&sum[1 + k], s.momentum[k]);
     }
-    dem_sum_add(&sum[4], dem_totals_volume(p, r));
-    dem_sum_add(&sum[5], s.mass);
-    dem_sum_add(&sum[6], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : 2.0*r->radius);
-    dem_sum_add(&sum[7], r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->mass);
+
+    const double value[4] = {dem_totals_volume(p, r), s.mass, frozen ? 0.0 : 2.0*r->radius,
+                             frozen ? 0.0 : r->mass};
+
+    if (memcmp(row->value, value, sizeof value) != 0 || row->n == MAX_ROW)
+    {
+        add_row(&sum[4], row);
+        memcpy(row->value, value, sizeof value);
+    }
+    row->n++;
 }
 
 int64_t dem_totals_touching(const struct dem_state *p)
@@ -144,15 +170,17 @@ static void tally_bonds(const struct dem_state *p, struct dem_totals *t)
 void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
 {
     struct dem_sum sum[SUMS] = {0};
+    struct row row = {.n = 0};
     double value[SUMS], g[3];
     int64_t count[4] = {(int64_t)p->particles.n, dem_totals_touching(p), 0, 0};
 
     for (size_t i = 0; i < p->particles.n; i++)
     {
-        add_particle(sum, p, i);
+        add_particle(sum, &row, p, i);
         count[2] += p->particles.record[i].body == p->particles.record[i].id + 1;
         count[3] += dem_clump_counts(&p->particles.record[i]);
     }
+    add_row(&sum[4], &row);
     dem_totals_reduce_sums(p, sum, SUMS, value);
     dem_interaction_table_gravity(&p->interaction_table, g);
     dem_collect_sum_int64(&p->decomposition, count, 4);

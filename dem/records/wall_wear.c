@@ -65,7 +65,8 @@ static double value_of(const struct dem_wear_sum *s)
 }
 
 /* The index, among the triangles of all ranks, of the triangle of a facet that is nearest to a point of
-   the wall's frame; of equally near ones the lowest. The search widens from a point on the facet. */
+   the wall's frame; of equally near ones the lowest. The point lies on the facet but for round-off, so a
+   radius is far enough. */
 static int find_triangle(struct dem_state *state, int facet, const double x[3], double radius,
                          uint32_t *index)
 {
@@ -74,7 +75,7 @@ static int find_triangle(struct dem_state *state, int facet, const double x[3], 
     const size_t first = s->candidates;
     double best = INFINITY, on[3], moved[3];
 
-    for (double reach = 1e-3*radius; reach <= 2e3*radius && !isfinite(best); reach *= 10.0)
+    for (double reach = 1e-3*radius; reach <= 2.0*radius && !isfinite(best); reach *= 10.0)
     {
         DEM_TRY(dem_wall_search_gather(s, w, w->wall[w->facet[facet].wall].frame, x, reach));
         for (size_t c = first; c < s->candidates; c++)
@@ -91,8 +92,10 @@ static int find_triangle(struct dem_state *state, int facet, const double x[3], 
         }
         s->candidates = first;
     }
-    DEM_REQUIRE(isfinite(best), DEM_ERROR_NUMBER, "wall %s: no triangle is near a contact that wears it; the point is "
-                "(%g %g %g)", w->wall[w->facet[facet].wall].name, x[0], x[1], x[2]);
+    DEM_REQUIRE(isfinite(best), DEM_ERROR_NUMBER,
+                "wall %s: no triangle is within a radius, %g m, of the contact at (%g %g %g) m that wears it; "
+                "place the wall nearer to the origin, or leave out its wear",
+                w->wall[w->facet[facet].wall].name, radius, x[0], x[1], x[2]);
     return DEM_OK;
 }
 

@@ -181,6 +181,15 @@ static void many_additions(void)
     TAP_OK(same_bits(dem_sum_value(&s), (double)((wide)n*whole)),
            "a hundred million additions without a carry");
 
+    dem_sum_clear(&s);
+    for (int64_t k = 0; k < n; k += n/100)
+    {
+        dem_sum_add_times(&s, (double)whole, n/100);
+        dem_sum_add_times(&s, -0.3, k);
+        dem_sum_add_times(&s, 0.3, k);
+    }
+    TAP_OK(same_bits(dem_sum_value(&s), (double)((wide)n*whole)), "the same at a hundred times");
+
     /* 2^40 times the sum by doubling: every limb carries again and again */
     for (int i = 0; i < 40; i++)
     {
