@@ -166,6 +166,45 @@ static void dem_fluid_kick(global double *restrict columns, uint n, uint i, doub
 #endif
 }
 
+/* A law acts on the grains of a parcel of this ratio: their sizes, and its results from zero
+   (step/parcel_forces.c). */
+static void dem_to_grains(double ratio, struct dem_body_row *r)
+{
+    const double per_length = 1.0/ratio, per_grain = per_length*per_length*per_length;
+
+    r->radius *= per_length;
+    r->mass *= per_grain;
+    r->volume *= per_grain;
+    r->mean_diameter *= per_length;
+    r->fx = r->fy = r->fz = r->rx = r->ry = r->rz = 0.0;
+    r->drag = r->drag_ux = r->drag_uy = r->drag_uz = 0.0;
+    r->scalars[0].rate = r->scalars[0].coefficient = r->scalars[0].to_target = 0.0;
+}
+
+#define OF_GRAINS(x) r->x = parcel->x + ratio*ratio*ratio*r->x
+
+/* Add the results of its grains to the parcel. */
+static void dem_to_parcel(double ratio, const struct dem_body_row *parcel, struct dem_body_row *r)
+{
+    r->radius = parcel->radius;
+    r->mass = parcel->mass;
+    r->volume = parcel->volume;
+    r->mean_diameter = parcel->mean_diameter;
+    OF_GRAINS(fx);
+    OF_GRAINS(fy);
+    OF_GRAINS(fz);
+    OF_GRAINS(rx);
+    OF_GRAINS(ry);
+    OF_GRAINS(rz);
+    OF_GRAINS(drag);
+    OF_GRAINS(drag_ux);
+    OF_GRAINS(drag_uy);
+    OF_GRAINS(drag_uz);
+    OF_GRAINS(scalars[0].rate);
+    OF_GRAINS(scalars[0].coefficient);
+    OF_GRAINS(scalars[0].to_target);
+}
+
 #ifdef COLUMN_ANGULAR_IMPULSE
 /* The kick of one component of the spin by the contact torque M and rotational drag. */
 static double dem_fluid_turn(global double *restrict impulse, double h, double over, double drag,

@@ -206,9 +206,10 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
                      const char *function, const char *history)
 {
     const char *const law = law_name(e->effect);
+    const int grains = e->grains && !*history;
 
     dem_device_scalars_before(c->out, e, *history);
-
+    dem_text_add(c->out, grains ? "    parcel = *r;\n    dem_to_grains(PARCEL_RATIO, r);\n" : "");
     if (e->effect->size > 0)
     {
         dem_text_add(c->out,
@@ -222,6 +223,7 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
     {
         dem_text_add(c->out, "    dem_%s_%s(0, r%s);\n", law, function, history);
     }
+    dem_text_add(c->out, grains ? "    dem_to_parcel(PARCEL_RATIO, &parcel, r);\n" : "");
     dem_device_scalars_after(c->out, e, *history);
 }
 
@@ -376,8 +378,9 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
             add_settings(c, "body", k, &list->entry[k]);
         }
     }
-    dem_text_add(c->out, "static void body_laws(struct dem_body_row *r%s)\n{\n",
-                 c->scalars ? ", struct dem_particle_scalars *q" : "");
+    dem_text_add(c->out, "#define PARCEL_RATIO q->value[%d]\nstatic void body_laws(struct dem_body_row *r%s)\n{\n",
+                 list->parcel_scalar, c->scalars ? ", struct dem_particle_scalars *q" : "");
+    dem_text_add(c->out, list->grains ? "    struct dem_body_row parcel;\n\n" : "");
     for (int k = 0; k < list->entries; k++)
     {
         if (!list->entry[k].effect->eddies)

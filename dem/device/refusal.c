@@ -15,10 +15,9 @@ static int refuse_effects(const struct dem_effect_list *list, char *why, size_t 
     {
         const char *const reason = dem_device_effect_refusal(list->entry[k].effect);
 
-        if (reason || list->entry[k].grains)
+        if (reason)
         {
-            snprintf(why, size, "%s %s", list->entry[k].effect->name,
-                     reason ? reason : "acts on the grains of parcels");
+            snprintf(why, size, "%s %s", list->entry[k].effect->name, reason);
             return 1;
         }
     }
@@ -66,7 +65,6 @@ static const char *run_reason(const struct dem_state *state)
     const struct dem_particles *const p = &state->particles;
 
     return p->batch.n > 1                          ? "the fluid has scalars besides the viscosity"
-           : state->interaction_table.parcels.used ? "particles are parcels"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
            : state->cell.active                    ? "the cell deforms (domain/cell)"

@@ -33,10 +33,11 @@ static int is_read(const struct dem_state *state, int64_t step)
            (state->backup.every > 0 && number >= state->backup.steps + state->backup.every);
 }
 
-/* Particles may enter or leave in steps whose numbers are multiples of this; 0: in none. */
+/* Particles may enter or leave in steps whose numbers are multiples of this; 0: in none, or the program asks for
+   it between windows. */
 static int64_t check_steps(const struct dem_state *state)
 {
-    return state->flows->n > 0 || state->domain.remove ? DEM_FLOW_STEPS : 0;
+    return (state->flows->n > 0 && !state->flows->asked) || state->domain.remove ? DEM_FLOW_STEPS : 0;
 }
 
 /* 1 when the host has to let particles enter or leave in this step. */
