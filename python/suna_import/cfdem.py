@@ -31,8 +31,8 @@ REFUSED_SOLVERS = {
     "cfdemSolverPisoScalar": HEAT,
     "cfdemSolverPisoSTM": HEAT,
     "cfdemSolverRhoPimple": "a compressible gas in a dense bed; demPimpleFoam is incompressible",
-    "cfdemSolverMultiphase": "two fluids with surface tension; see interFoam in "
-                             "docs/coupled-case.md",
+    "cfdemSolverMultiphase": "two fluids with surface tension: set the case up for "
+                             "demInterFoam, docs/demInterFoam.md",
 }
 # word: {value: None (no effect) or the sentence why not}
 TOP = {

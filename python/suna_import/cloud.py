@@ -75,6 +75,11 @@ class CloudCase(CoupledCase):
             self.fluid = self.dpm
         elif self.application in UNCOUPLED:
             self.fluid = self.uncoupled
+        elif self.application.startswith("inter"):
+            self.report.refuse(place, f"application {self.application}", "the importer knows "
+                               "clouds in one fluid; write constant/demProperties for demInterFoam "
+                               "(docs/demInterFoam.md), or for the function object "
+                               "(docs/coupled-case.md) where particles displace little")
         else:
             self.report.refuse(place, f"application {self.application}", "the importer knows "
                                f"{', '.join(DPM + UNCOUPLED)}; for another solver see "

@@ -219,6 +219,19 @@ int main(int argc, char *argv[])
             List<fluidBudget::force> known(2);
             known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
             known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
+            // Of fluids in the whole cells: the particles' `height` is less what they displace
+            cloud.budget().table().state
+            (
+                demBudget::ENERGY,
+                "fluidHeight",
+                -gSum
+                (
+                    (
+                        mesh.V().field()*rho.primitiveField()
+                       *(gravity.value() & mesh.C().primitiveField())
+                    )()
+                )
+            );
             #include "endBudget.H"
         }
         run.endStep(cloud);

@@ -1,5 +1,5 @@
 """A swarm of heavy spheres falls from air into water for 1000 steps: alpha stays in [0, 1] and both volumes are kept to
-round-off, although the pressure is solved to a tolerance; momentum and the exchange close.
+round-off, although the pressure is solved to a tolerance; momentum and the exchange close, and energy does not grow.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -42,5 +42,9 @@ for axis in "xyz":
     for term, what in (("rest", "momentum closes"), ("faces", "nothing is lost between faces and cells")):
         claim(f"{what}, {axis} (1e-12 of the largest term)", terms[f"{term}.p{axis}"] < 1e-12*max(terms.values()),
               terms[f"{term}.p{axis}"], max(terms.values()))
+total = sum(table[f"{name}.energy"] for name in ("fluid", "particles", "height", "fluidHeight"))
+lost = total[0] - total
+claim("kinetic and potential energy of fluids and particles together do not grow (1 % of the loss)",
+      np.all(np.diff(lost) > -0.01*lost[-1]), *lost)
 claim("volume of the particles is kept", worst(case.log("demInterFoam"), "volume error") < 1e-12)
 finish()
