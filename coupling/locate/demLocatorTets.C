@@ -15,7 +15,6 @@ namespace Foam
 }
 
 
-// have no interior. pd, qd: (d ^ e) & p, (d ^ e) & q
 inline Foam::scalar Foam::demLocator::weights
 (
     const vector& d,
