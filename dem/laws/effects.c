@@ -7,6 +7,7 @@
 
 #include "core/aliases.h"
 #include "core/did_you_mean.h"
+#include "laws/parcels.h"
 
 #include <string.h>
 
@@ -33,9 +34,9 @@ const struct dem_effect *dem_effects_find(const char *name)
     return NULL;
 }
 
-int dem_effects_have_scalar(const char *name)
+int dem_scalar_is_known(const char *name)
 {
-    int found = 0;
+    int found = strcmp(name, dem_parcel_ratio.name) == 0;
 
     for (int k = 0; k < EFFECTS; k++)
     {

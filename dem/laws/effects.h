@@ -75,8 +75,8 @@ static inline void dem_effect_apply_to_bodies(const struct dem_effect *effect, c
     effect->apply_to_bodies(settings, b);
 }
 
-/* 1 if an effect of the list has a particle scalar of this name. */
-int dem_effects_have_scalar(const char *name);
+/* 1 if a particle scalar has this name: of an effect of the list, or parcelRatio. */
+int dem_scalar_is_known(const char *name);
 
 /* 1 if `word` is another code's word for the effect. */
 int dem_effect_is_alias(const struct dem_effect *, const char *word);

@@ -281,7 +281,7 @@ int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size)
     return status;
 }
 
-/* Hash of the columns that are scalars of an effect, as in dem_hash. `packed`: behind the record. */
+/* Hash of the columns that are particle scalars, as in dem_hash. `packed`: behind the record. */
 static uint64_t fingerprint_of_scalars(const struct dem_snapshot_header *h, int64_t id,
                                        const double *packed)
 {
@@ -291,7 +291,7 @@ static uint64_t fingerprint_of_scalars(const struct dem_snapshot_header *h, int6
     {
         const char *const name = h->list[h->materials + c].name;
 
-        sum += dem_effects_have_scalar(name) ? dem_fingerprint_scalar(id, name, *packed) : 0;
+        sum += dem_scalar_is_known(name) ? dem_fingerprint_scalar(id, name, *packed) : 0;
         packed += h->list[h->materials + c].width;
     }
     return sum;
