@@ -2,9 +2,10 @@
  * device_changes.c -- particles that enter or leave (streams, outlets, sides of the domain) while the
  * device has the state.
  *
- * In a step that checks them the records come down, and the host decides. If particles enter or leave,
- * the columns come down too, the host changes the particles, and all go up again. Rows and history stay on the device:
- * new lists follow, which find the old rows of a particle through its former place.
+ * In a step that checks them the records come down, and the host decides. If particles enter or
+ * leave, the columns come down too, the host changes the particles, and all go up again. Rows and
+ * history stay on the device: new lists follow, which find the old rows of a particle through its
+ * former place.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

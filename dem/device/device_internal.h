@@ -88,11 +88,11 @@ int dem_device_reserve_rows(struct dem_device *, const struct dem_state *, uint3
 int dem_device_put_particles(struct dem_device *, const struct dem_state *);
 int dem_device_get_particles(struct dem_device *, struct dem_state *);
 
-/* device_changes.c: let particles enter and leave before the next step, if that one checks them; with the skin [m]
-   of the device's lists, 0: they are the host's. changes: 1 when some did, so that new lists have to follow, the images
-   of rows being kept already. end: 1 when the host has to make this step. */
-int dem_device_check(struct dem_device *, struct dem_state *, const struct dem_device_steps *, double skin,
-                     int *changes, int *end);
+/* device_changes.c: let particles enter and leave before the next step, if that one checks them.
+   skin [m]: of the device's lists; 0: the lists are the host's. changes: 1 when some did; new lists
+   must follow, images of rows are kept already. end: 1 when the host has to make this step. */
+int dem_device_check(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
+                     double skin, int *changes, int *end);
 
 /* device_lists.c: constants of lists; new lists from the present positions, with this skin [m]
    (outside: 1 when a particle has left the domain, so that the host has to look); largest

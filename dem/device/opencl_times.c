@@ -1,11 +1,12 @@
 /*
- * opencl_times.c -- the time that each kernel and each kind of copy takes on the device, for
- * SUNA_OPENCL_TIMES in the environment; printed when the device is closed.
+ * opencl_times.c -- the time that each kernel and each kind of copy takes on the device, as a table in
+ * the file that SUNA_OPENCL_TIMES in the environment names, written when the device is closed.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "device/opencl_calls.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/memory.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,11 +63,16 @@ static void collect(struct dem_opencl *cl, struct dem_opencl_times *t)
         struct kind *const of = &t->kind[t->kind_of[k]];
         cl_ulong begin = 0, end = 0;
 
-        (void)cl->calls->clGetEventProfilingInfo(t->event[k], CL_PROFILING_COMMAND_START, sizeof begin,
-                                                 &begin, NULL);
-        (void)cl->calls->clGetEventProfilingInfo(t->event[k], CL_PROFILING_COMMAND_END, sizeof end,
-                                                 &end, NULL);
+        if (!t->event[k])
+        {
+            continue;    /* the command has failed */
+        }
+        (void)cl->calls->clGetEventProfilingInfo(t->event[k], CL_PROFILING_COMMAND_START,
+                                                 sizeof begin, &begin, NULL);
+        (void)cl->calls->clGetEventProfilingInfo(t->event[k], CL_PROFILING_COMMAND_END,
+                                                 sizeof end, &end, NULL);
         (void)cl->calls->clReleaseEvent(t->event[k]);
+        t->event[k] = NULL;
         of->commands++;
         of->seconds += 1e-9*(double)(end - begin);
     }
@@ -89,22 +95,32 @@ cl_event *dem_opencl_time(struct dem_opencl *cl, const char *name)
     return &t->event[t->pending++];
 }
 
+static void write_table(const struct dem_opencl_times *t, const char *path)
+{
+    struct dem_file f;
+
+    if (!path || dem_file_begin(&f, path) != DEM_OK)
+    {
+        return;
+    }
+    fprintf(f.stream, "command,number,time[s]\r\n");
+    for (int k = 0; k < t->kinds; k++)
+    {
+        fprintf(f.stream, "%s,%ld,%.9g\r\n", t->kind[k].name, t->kind[k].commands,
+                t->kind[k].seconds);
+    }
+    (void)dem_file_finish(&f, DEM_OK);
+}
+
 void dem_opencl_end_times(struct dem_opencl *cl)
 {
-    struct dem_opencl_times *const t = cl->times;
-
-    if (t)
+    if (cl->times)
     {
-        collect(cl, t);
-        for (int k = 0; k < t->kinds; k++)
-        {
-            fprintf(stderr, "device time: %-16s %8ld %10.6f s %10.3f us each\n", t->kind[k].name,
-                    t->kind[k].commands, t->kind[k].seconds,
-                    1e6*t->kind[k].seconds/(double)t->kind[k].commands);
-        }
+        collect(cl, cl->times);
+        write_table(cl->times, getenv("SUNA_OPENCL_TIMES"));
+        dem_memory_free(cl->times);
+        cl->times = NULL;
     }
-    dem_memory_free(t);
-    cl->times = NULL;
 }
 
 #endif

@@ -1,9 +1,7 @@
 /*
  * program.c -- compose the program of a device.
  *
- * The texts are those that the core itself is compiled from (texts.h): an #include of one of them is
- * replaced by the text, the first time; templates (.cl) each time. Settings are constants of the
- * program, as the bits of the prepared struct; a comment has the numbers.
+ * Settings are constants of the program, as the bits of the prepared struct; a comment has the numbers.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -12,7 +10,7 @@
 #include "core/memory.h"
 #include "device/device_columns.h"
 #include "device/program_scalars.h"
-#include "device/texts.h"
+#include "device/program_texts.h"
 #include "laws/effects.h"
 #include "laws/fluid/eddy.h"
 #include "walls/spring_kinds.h"
@@ -20,113 +18,14 @@
 #include <stdio.h>
 #include <string.h>
 
-enum
-{
-    TEXTS = 200                   /* limit of the texts of a program */
-};
-
 struct composer
 {
     struct dem_text *out;
-    const struct dem_device_text *included[TEXTS];
-    int n;
+    struct dem_program_texts texts;
     const struct dem_walls *walls;
     int viscosity;                /* 1: particles have the viscosity of the fluid around them */
     int scalars;                  /* particle scalars in lists of laws */
 };
-
-/* ---- texts ------------------------------------------------------------------------------------- */
-
-/* The text whose name ends in this. */
-static const struct dem_device_text *find_text(const char *name, size_t length)
-{
-    for (const struct dem_device_text *t = dem_device_texts; t->name; t++)
-    {
-        const size_t n = strlen(t->name);
-
-        if (n >= length && memcmp(t->name + n - length, name, length) == 0)
-        {
-            return t;
-        }
-    }
-    return NULL;
-}
-
-static int is_new(struct composer *c, const struct dem_device_text *t)
-{
-    for (int k = 0; k < c->n; k++)
-    {
-        if (c->included[k] == t)
-        {
-            return 0;
-        }
-    }
-    if (c->n < TEXTS && !strstr(t->name, ".cl"))
-    {
-        c->included[c->n++] = t;
-    }
-    return 1;
-}
-
-/* Append a line of a text. An #include is left out; *name: what it names. */
-static void add_line(struct composer *c, const char *line, size_t length, const char **name,
-                     size_t *name_length)
-{
-    static const char begin[] = "#include ";
-    const char *const end = line + length;
-
-    *name = NULL;
-    if (length <= sizeof begin || memcmp(line, begin, sizeof begin - 1) != 0)
-    {
-        dem_text_add(c->out, "%.*s\n", (int)length, line);
-        return;
-    }
-    if (line[sizeof begin - 1] == '"')
-    {
-        *name = line + sizeof begin;
-        *name_length = (size_t)((const char *)memchr(*name, '"', (size_t)(end - *name)) - *name);
-    }
-}
-
-/* Texts follow where the line that includes them stood. Headers that are not among them are for the
-   host. */
-static int include(struct composer *c, const struct dem_device_text *first)
-{
-    enum { DEPTH = 16 };
-
-    const char *at[DEPTH];
-    int depth = 0;
-
-    at[0] = first && is_new(c, first) ? first->text : "";
-    while (depth >= 0)
-    {
-        const char *const line = at[depth];
-        const size_t length = strcspn(line, "\n");
-        const char *name;
-        size_t name_length = 0;
-
-        if (!*line)
-        {
-            depth--;
-            continue;
-        }
-        at[depth] = line + length + (line[length] == '\n');
-        add_line(c, line, length, &name, &name_length);
-        const struct dem_device_text *const t = name ? find_text(name, name_length) : NULL;
-
-        if (t && is_new(c, t))
-        {
-            DEM_REQUIRE(depth + 1 < DEPTH, DEM_ERROR_STATE, "%s is included in a circle", t->name);
-            at[++depth] = t->text;
-        }
-    }
-    return c->out->status;
-}
-
-static int include_name(struct composer *c, const char *name)
-{
-    return include(c, find_text(name, strlen(name)));
-}
 
 /* ---- laws ------------------------------------------------------------------------------------ */
 
@@ -155,7 +54,7 @@ static const struct dem_device_text *law_text(const struct dem_effect *e)
     char file[100];
 
     snprintf(file, sizeof file, "/%s.h", law_name(e));
-    return find_text(file, strlen(file));
+    return dem_program_find_text(file, strlen(file));
 }
 
 const char *dem_device_effect_refusal(const struct dem_effect *e)
@@ -327,14 +226,14 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
     }
     dem_text_add(c->out, "\n#define COLUMNS %d\n#define LAWS laws_%d\n#define TEST test_%d\n"
                  "#define PAST_TOUCHING %d\n", h.n, class, class, list->past_touching);
-    DEM_TRY(include_name(c, "device/test.cl"));
+    DEM_TRY(dem_program_include_name(&c->texts, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
                  "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
                  "#define VISCOSITY %d\n#define CLASS_SCALARS %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
                  (list->needs & DEM_NEEDS_RANDOM) != 0, !c->walls->all_flat_static,
                  c->viscosity && list->needs & DEM_NEEDS_VISCOSITY, list->scalars > 0);
-    return include_name(c, "device/rows.cl");
+    return dem_program_include_name(&c->texts, "device/rows.cl");
 }
 
 int dem_device_has_facets(const struct dem_walls *w)
@@ -362,7 +261,7 @@ static int include_laws(struct composer *c, const struct dem_effect_list *list)
         {
             add_eddies(c, &list->entry[k]);
         }
-        DEM_TRY(include(c, law_text(list->entry[k].effect)));
+        DEM_TRY(dem_program_include(&c->texts, law_text(list->entry[k].effect)));
     }
     return DEM_OK;
 }
@@ -391,8 +290,8 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS %s\n#define MOMENTS %d\n"
                  "#define PAST_TOUCHING %d\n", c->scalars ? "&r, &q" : "&r", table->moments,
                  table->past_touching);
-    DEM_TRY(include_name(c, "device/loads.cl"));
-    return include_name(c, "device/bodies.cl");
+    DEM_TRY(dem_program_include_name(&c->texts, "device/loads.cl"));
+    return dem_program_include_name(&c->texts, "device/bodies.cl");
 }
 
 /* Contacts with several facets. */
@@ -414,8 +313,8 @@ static int add_facets(struct composer *c, const struct dem_interaction_table *ta
         dem_text_add(c->out, m > 0 ? ", %d" : " + %d", (int)kind[m]);
     }
     dem_text_add(c->out, "\n");
-    DEM_TRY(dem_device_has_facets(c->walls) ? include_name(c, "device/facets.cl") : DEM_OK);
-    return c->walls->triangles > 0 ? include_name(c, "device/triangles.cl") : DEM_OK;
+    DEM_TRY(dem_device_has_facets(c->walls) ? dem_program_include_name(&c->texts, "device/facets.cl") : DEM_OK);
+    return c->walls->triangles > 0 ? dem_program_include_name(&c->texts, "device/triangles.cl") : DEM_OK;
 }
 
 static int compose(struct composer *c, const struct dem_interaction_table *table,
@@ -424,11 +323,11 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     dem_text_add(c->out, "#define FLUID %d\n#define WHOLE_DRAG %d\n",
                  dem_device_columns_text(particles, c->out), table->bodies.whole_drag);
     c->viscosity = particles->batch.n > 0;
-    DEM_TRY(include_name(c, "device/gather.cl"));
+    DEM_TRY(dem_program_include_name(&c->texts, "device/gather.cl"));
     DEM_TRY(add_facets(c, table));
     c->scalars = table->listed;
     dem_device_scalars_text(c->out, table);
-    DEM_TRY(table->listed > 0 ? include_name(c, "device/scalars.cl") : DEM_OK);
+    DEM_TRY(table->listed > 0 ? dem_program_include_name(&c->texts, "device/scalars.cl") : DEM_OK);
     for (int k = 0; k < table->classes; k++)
     {
         DEM_TRY(include_laws(c, &table->list[k]));
@@ -438,18 +337,18 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     {
         DEM_TRY(add_class(c, table, k));
     }
-    DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? include_name(c, "device/fluid.cl")
+    DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? dem_program_include_name(&c->texts, "device/fluid.cl")
                                                              : DEM_OK);
     DEM_TRY(add_bodies(c, table));
-    DEM_TRY(include_name(c, "device/lists.cl"));
-    return include_name(c, "device/scan.cl");
+    DEM_TRY(dem_program_include_name(&c->texts, "device/lists.cl"));
+    return dem_program_include_name(&c->texts, "device/scan.cl");
 }
 
 int dem_device_program(const struct dem_interaction_table *table,
                        const struct dem_particles *particles, const struct dem_walls *walls,
                        struct dem_text *text)
 {
-    struct composer c = {.out = text, .walls = walls};
+    struct composer c = {.out = text, .texts = {.out = text}, .walls = walls};
     const int status = compose(&c, table, particles);
 
     return status ? status : text->status;

@@ -6,7 +6,6 @@
  */
 #include "records/totals.h"
 #include "core/error.h"
-#include "core/memory.h"
 #include "core/vec.h"
 #include "records/fingerprint.h"
 #include "particles/scalars.h"
@@ -309,84 +308,6 @@ uint64_t dem_totals_fingerprint(const struct dem_state *p)
     }
     dem_collect_sum_uint64(&p->decomposition, &total, 1);
     return total;
-}
-
-/* 1 when a partner has one of these flags. */
-static int has_flags(const struct dem_state *p, const struct dem_pair *q, unsigned flags)
-{
-    return (p->particles.record[q->i].flags & flags)
-        || (!q->wall && (p->particles.record[q->j].flags & flags));
-}
-
-void dem_totals_max_overlap(struct dem_state *p, unsigned flags, struct dem_overlap *pair,
-                            struct dem_overlap *wall)
-{
-    *pair = *wall = (struct dem_overlap){.fraction = 0.0};
-    dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
-    for (uint32_t r = 0; r < p->contacts.rows.n; r++)
-    {
-        const struct dem_pair *const any = p->contacts.rows.pair[r] == DEM_ROW_NONE
-                                               ? NULL
-                                               : dem_contacts_pair(&p->contacts, r);
-        const struct dem_pair *const q = any && (!flags || has_flags(p, any, flags)) ? any : NULL;
-        const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
-        struct dem_overlap *const worst = q && q->wall ? wall : pair;
-        double overlap = 0.0, radius = 1.0;
-
-        if (q && q->wall)
-        {
-            overlap = a->radius - p->touches.touch[q->j].distance;
-            radius = a->radius;
-        }
-        else if (q)
-        {
-            const struct dem_particle *const b = &p->particles.record[q->j];
-            const double *const s = p->pairs.shift[q->shift];
-            const double d[3] = {a->x[0] - b->x[0] + s[0], a->x[1] - b->x[1] + s[1],
-                                 a->x[2] - b->x[2] + s[2]};
-
-            overlap = a->radius + b->radius - dem_vec_norm(d);
-            radius = fmin(a->radius, b->radius);
-        }
-        if (q && 0.5*overlap/radius > worst->fraction)
-        {
-            worst->fraction = 0.5*overlap/radius;
-            worst->id = a->id;
-            worst->partner = q->wall ? p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall
-                                     : p->particles.record[q->j].id;
-            memcpy(worst->x, a->x, sizeof a->x);
-        }
-    }
-}
-
-/* Each rank gives its own; returns the largest of all ranks, of equal ones the lowest id. */
-static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap *worst)
-{
-    const struct dem_collect_items own = {"overlaps", worst, 1, sizeof *worst};
-    struct dem_overlap *each;
-    void *all;
-    size_t n;
-
-    DEM_TRY(dem_collect_gather(q, DEM_OK, &own, &all, &n));
-    each = all;
-    for (size_t k = 0; k < n; k++)
-    {
-        if (each[k].fraction > worst->fraction
-            || (each[k].fraction >= worst->fraction && each[k].id < worst->id))
-        {
-            *worst = each[k];
-        }
-    }
-    dem_memory_free(all);
-    return DEM_OK;
-}
-
-int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *pair,
-                                      struct dem_overlap *wall)
-{
-    dem_totals_max_overlap(p, 0, pair, wall);
-    DEM_TRY(max_over_ranks(&p->decomposition, pair));
-    return max_over_ranks(&p->decomposition, wall);
 }
 
 double dem_totals_sauter_diameter(const struct dem_state *p)

@@ -28,7 +28,7 @@ from store import put
 
 INSIDE = 6e-3, 20e-3                                # m
 GRAVITY = 9.81
-# Mueller et al.; the void fraction is that of 9240 spheres of 1.2 mm in 30 mm
+# Mueller et al.; the void fraction follows from 9240 spheres of 1.2 mm in 30 mm
 MEASURED = {"static height 2 <z>": "30", "void fraction over the height": "0.367",
             "minimum fluidisation velocity": "0.30"}
 
