@@ -40,7 +40,7 @@ int dem_device_begin_loads(struct dem_device *d, const struct dem_state *state)
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_loads, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->of_loads, 3, &d->record, &list->partners, &d->facets, &d->frames,
                            &list->start, &list->entry, &list->touch, &d->force, &d->moment,
-                           &d->contacts, &d->loads);
+                           &d->contacts, &d->loads, &d->axes);
 }
 
 int dem_device_launch_loads(struct dem_device *d, const struct dem_state *state, uint32_t s)

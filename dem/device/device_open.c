@@ -71,6 +71,8 @@ static int put_constants(struct dem_device *d, const struct dem_state *state)
     for (int k = 0; k < 3; k++)
     {
         axes.round[k] = state->domain.round[k];
+        axes.min[k] = state->domain.min[k];
+        axes.length[k] = state->domain.length[k];
         axes.flat[k] = state->domain.flat[k];
     }
     DEM_TRY(dem_opencl_reserve(d->cl, &d->axes, sizeof axes));

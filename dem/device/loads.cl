@@ -7,6 +7,7 @@
  */
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 #include "core/sum_digits.h"
+#include "particles/periodic_image.h"
 
 /* A load's six numbers to the six sums of a wall. */
 static void dem_add_load(global long *sums, const double load[6])
@@ -37,7 +38,8 @@ kernel void wall_loads(constant struct dem_device_batch *b, global struct dem_de
                        global const uint *restrict start, global const uint *restrict entry,
                        global const uchar *restrict touch, global const double4 *restrict force,
                        global const double4 *restrict moment,
-                       global const double4 *restrict contacts, global long *sums)
+                       global const double4 *restrict contacts, global long *sums,
+                       constant struct dem_device_axes *axes)
 {
     const uint i = get_global_id(0);
 
@@ -73,6 +75,10 @@ kernel void wall_loads(constant struct dem_device_batch *b, global struct dem_de
 
             dem_wall_touch(facet, frames + s*b->frames, at, point, normal);
 #endif
+            for (int k = 0; k < 3; k++)
+            {
+                point[k] = dem_periodic_place(point[k], axes->min[k], axes->length[k]);
+            }
             dem_vec_cross(point, load, load + 3);
             dem_add_load(to, load);
         }

@@ -83,10 +83,10 @@ struct dem_device_applied
     uint32_t first, end;                    /*    of its ids */
 };
 
-/* rounding of the drift along each axis, and axes without motion (dem_domain) */
+/* rounding of the drift along each axis, axes without motion, and the periodic box (dem_domain) */
 struct dem_device_axes
 {
-    double round[3];
+    double round[3], min[3], length[3];
     int flat[3];
 };
 

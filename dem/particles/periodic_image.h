@@ -6,6 +6,8 @@
  * raises both image_i and the shift of its pairs by one, so (shift - image_i + image_j) does not
  * change and identifies the image of a pair permanently.
  *
+ * A place between two wraps may be up to a period outside the box; dem_periodic_place gives the one inside.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_PARTICLES_PERIODIC_IMAGE_H
@@ -52,6 +54,12 @@ static inline int dem_image_difference(uint32_t now, uint32_t before, int axis)
     const int middle = 1 << (DEM_IMAGE_BITS - 1);
 
     return (int)((more + (uint32_t)middle) & DEM_IMAGE_MASK) - middle;
+}
+
+/* The place x or its image in [min, min + length), less than a period away; x itself where length is 0. */
+static inline double dem_periodic_place(double x, double min, double length)
+{
+    return x < min ? x + length : x >= min + length ? x - length : x;
 }
 
 static inline uint32_t dem_image_of_pair(int shift, uint32_t image_i, uint32_t image_j)

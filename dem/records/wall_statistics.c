@@ -33,12 +33,14 @@ int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
     return DEM_OK;
 }
 
-/* The force of a row on its wall and its moment about the origin, times `factor`. Returns 0 for a
-   row without force, as most rows near a wall. */
+/* The force of a row on its wall and its moment about the origin, times `factor`. The contact point is
+   taken inside the periodic box, so that the moment does not depend on when a particle is wrapped.
+   Returns 0 for a row without force, as most rows near a wall. */
 static int load_of_row(const struct dem_state *p, uint32_t r, double factor, double load[6])
 {
     const double *const on_particle = dem_contacts_wall_force(&p->contacts, r)->f;
-    const uint32_t neighbor = dem_contacts_pair(&p->contacts, r)->j;
+    const double *const point = p->touches.touch[dem_contacts_pair(&p->contacts, r)->j].point;
+    double at[3];
 
     if (on_particle[0] == 0.0 && on_particle[1] == 0.0 && on_particle[2] == 0.0)
     {
@@ -47,8 +49,9 @@ static int load_of_row(const struct dem_state *p, uint32_t r, double factor, dou
     for (int k = 0; k < 3; k++)
     {
         load[k] = -factor*on_particle[k];
+        at[k] = dem_periodic_place(point[k], p->domain.min[k], p->domain.length[k]);
     }
-    dem_vec_cross(p->touches.touch[neighbor].point, load, load + 3);
+    dem_vec_cross(at, load, load + 3);
     return 1;
 }
 

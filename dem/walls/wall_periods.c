@@ -36,12 +36,46 @@ static void primitive_extent(const struct dem_wall *w, int axis, double extent[2
     extent[1] = parallel ? -INFINITY : bounded ? w->point[axis] + w->radius : INFINITY;
 }
 
-static int check_primitive(const struct dem_domain *d, int axis, double radius,
-                           const struct dem_wall *of)
+/* 1 when a vector is not along an axis, to this fraction of its length. */
+static int is_across(const double v[3], int axis, double fraction)
 {
+    return fmax(fabs(v[(axis + 1)%3]), fabs(v[(axis + 2)%3])) > fraction*fabs(v[axis]);
+}
+
+/* A surface whose rotation leans by less than this off a periodic axis has the velocity of its
+   images to round-off. */
+static const double leaning = 1e-12;
+
+/* The axis of a rotation of a wall about another axis than a periodic one; NULL: none. */
+static const double *motion_across(const struct dem_walls *w, const struct dem_wall *of, int axis)
+{
+    const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
+    const struct dem_compound_motion *const c = m ? w->frame[of->frame].compound : NULL;
+    int any;
+
+    return c ? dem_compound_motion_leans(c, axis, &any)
+           : m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis, 0.0) ? m->axis : NULL;
+}
+
+static const double *drive_across(const struct dem_wall *of, int axis)
+{
+    return of->driven && is_across(of->drive.spin, axis, leaning) ? of->drive.spin : NULL;
+}
+
+static int check_primitive(const struct dem_domain *d, int axis, double radius,
+                           const struct dem_walls *w, const struct dem_wall *of)
+{
+    const double *const rotates = motion_across(w, of, axis),
+                 *const about = rotates ? rotates : drive_across(of, axis);
     double extent[2];
 
     primitive_extent(of, axis, extent);
+    DEM_REQUIRE(!about || extent[0] < extent[1], DEM_ERROR_INPUT,
+                "wall %s runs through the periodic faces of domain along %c, where only a rotation about %c is "
+                "periodic, and %s is about (%g %g %g); build it from triangles that end a radius (%g m) before the "
+                "faces, or remove %c from domain/periodic", of->name, "xyz"[axis], "xyz"[axis],
+                rotates ? "its rotation" : "surfaceRotation", about ? about[0] : 0.0, about ? about[1] : 0.0,
+                about ? about[2] : 0.0, radius, "xyz"[axis]);
     for (int side = 0; side < 2; side++)
     {
         const double face = side ? d->max[axis] : d->min[axis];
@@ -57,32 +91,17 @@ static int check_primitive(const struct dem_domain *d, int axis, double radius,
     return DEM_OK;
 }
 
-/* 1 when a vector is not along an axis, to this fraction of its length. */
-static int is_across(const double v[3], int axis, double fraction)
-{
-    return fmax(fabs(v[(axis + 1)%3]), fabs(v[(axis + 2)%3])) > fraction*fabs(v[axis]);
-}
-
-/* A surface whose rotation leans by less than this off a periodic axis has the velocity of its
-   images to round-off. */
-static const double leaning = 1e-12;
-
 /* A rotation about another axis than a periodic one takes images apart. */
 static int check_rotation(const struct dem_domain *d, int axis, double radius,
                           const struct dem_walls *w, const struct dem_triangle *t)
 {
     const struct dem_wall *const of = &w->wall[t->wall];
-    const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
-    const struct dem_compound_motion *const c = m ? w->frame[of->frame].compound : NULL;
-    int any;
-    const double *const leans =
-        c ? dem_compound_motion_leans(c, axis, &any)
-        : m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis, 0.0) ? m->axis : NULL;
-    const int rotates = leans != NULL;
-    const double *const about = rotates ? leans : of->drive.spin;
+    const struct dem_compound_motion *const c = of->frame < 0 ? NULL : w->frame[of->frame].compound;
+    const double *const rotates = motion_across(w, of, axis),
+                 *const about = rotates ? rotates : drive_across(of, axis);
     double extent[2];
 
-    if (!rotates && !(of->driven && is_across(of->drive.spin, axis, leaning)))
+    if (!about)
     {
         return DEM_OK;
     }
@@ -178,7 +197,7 @@ int dem_domain_check_walls(const struct dem_domain *d, const struct dem_walls *w
         {
             if (w->wall[k].shape != DEM_SHAPE_TRIANGLES)
             {
-                DEM_TRY(check_primitive(d, axis, radius, &w->wall[k]));
+                DEM_TRY(check_primitive(d, axis, radius, w, &w->wall[k]));
             }
         }
         for (size_t t = 0; d->periodic[axis] && t < w->triangles; t++)

@@ -219,7 +219,8 @@ int main(int argc, char *argv[])
             List<fluidBudget::force> known(2);
             known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
             known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
-            // Of fluids in the whole cells: the particles' `height` is less what they displace
+            // rho g z over whole cells, without the void fraction: `height` of the particles
+            // subtracts the buoyancy
             cloud.budget().table().state
             (
                 demBudget::ENERGY,

@@ -529,6 +529,12 @@ static void test_refusals(void)
             "where it meets its own image");
     refused(world_text("walls { f { type sphere; centre (0 0 0); radius 0.002; particles outside; } }"),
             "build it from triangles");
+    refused(world_text("walls { f { type plane; point (0 0 0); normal (0 0 1); "
+                       "motion { type rotation; origin (0.008 0 0); axis (0 0 1); omega 1; } } }"),
+            "its rotation is about (0 0 1)");
+    refused(world_text("walls { f { type plane; point (0 0 0); normal (0 0 1); "
+                       "surfaceRotation { origin (0.008 0 0); axis (0 0 1); omega 2; } } }"),
+            "surfaceRotation is about (0 0 2)");
 }
 
 int main(void)

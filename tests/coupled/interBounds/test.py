@@ -27,9 +27,9 @@ claim("the volume of water is kept (1e-13)", np.ptp(volume) < 1e-13*volume[0], n
 log = case.log("demInterFoam")
 claim("the flux of all volume needs a correction at the start only, with slip walls too",
       log.count("Solving for totalFluxPotential") == 1, log.count("Solving for totalFluxPotential"))
-claim("the voidage flux has a tolerance of its own", all(
-    float(line.split("Final residual = ")[1].split(",")[0]) > 1e-6
-    for line in log.splitlines() if "Solving for voidageFluxPotential" in line))
+residuals = case.numbers(r"Solving for voidageFluxPotential.* Final residual = ([^,]+),", "demInterFoam")
+claim("the voidage flux has a tolerance of its own, 1e-3", len(residuals) == 1000
+      and 1e-6 < residuals.max() < 1e-3, len(residuals), residuals.min(), residuals.max())
 e = case.interior("voidFraction")
 claim("the weight of alpha stays the void fraction (the tolerance of the pressure)",
       difference(case.interior("transportedVoidFraction"),

@@ -1,6 +1,7 @@
 """Water with particles enters a channel, flows over a weir and leaves, with the turbulence model kEpsilon.
 
-- Upstream the head above a broad crest is that of critical flow, 1.5 (q^2/g)^(1/3), with the discharge q per width.
+- Upstream the head above a broad crest is 1.5 (q^2/g)^(1/3), as of critical flow on it, with the discharge q per width;
+  the water starts 10 mm above the crest.
 - Particles that entered are in the channel or have left over the weir; none is lost.
 - alpha stays in [0, 1] and the exchange closes.
 
@@ -55,7 +56,7 @@ case.fields(("ground", "sides"), slip=True,
                   "top { type totalPressure; p0 uniform 0; value uniform 0; }",
                   "inlet { type fixedValue; value uniform 1; } "
                   '"(outlet|top)" { type inletOutlet; inletValue uniform 0; value uniform 0; }'))
-case.alpha(lambda x: (x[:, 0] < crest[0]) & (x[:, 2] < foot + 0.02))
+case.alpha(lambda x: (x[:, 0] < crest[0]) & (x[:, 2] < foot + 0.01))
 case.dictionary("constant/turbulenceProperties", "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; }")
 for name, dimensions, value in (("k", "0 2 -2 0 0 0 0", 1e-5), ("epsilon", "0 2 -3 0 0 0 0", 1e-4)):
     case.initial(name, dimensions, value, f'".*" {{ type inletOutlet; inletValue uniform {value}; value uniform {value}; }}'
@@ -65,7 +66,7 @@ case.sub("system/fvSolution", '"U\\.', '"(U|k|epsilon).')
 case.sub("system/fvSchemes", r"div\(phi,alpha\)", "div(phi,k) Gauss upwind; div(phi,epsilon) Gauss upwind; div(phi,alpha)")
 case.grains("grain { density 990; youngsModulus 1e5; }", "hertz {} dry { restitution 0.5; } gidaspow {}",
             f"feed {{ type stream; patch inlet; rate 100; diameter 1.5e-3; velocity ({speed} 0 0); }}"
-            f" near {{ type random; count 60; diameter 1.5e-3; min (0.06 0 {foot}); max ({crest[0]} {h} {foot + 0.018}); }}",
+            f" near {{ type random; count 60; diameter 1.5e-3; min (0.06 0 {foot}); max ({crest[0]} {h} {foot + 0.008}); }}",
             "walls (top);", "outlets { out { patch outlet; } }")
 case.run("demInterFoam")
 claim_ran("runs", case, "demInterFoam")
@@ -77,7 +78,8 @@ x = case.centres()
 pool = x[:, 0] < 0.07
 heads = [np.sum(case.field(f"{time}/alpha.water")[pool])*h**2/0.07 - foot
          for time in case.times() if float(time) > end/2]
-claim(f"the head above the crest is {theory*1e3:.1f} mm (a cell, {h*1e3:g} mm)", abs(np.mean(heads) - theory) < h, *heads)
+claim(f"the head above the crest is {theory*1e3:.1f} mm (half a cell, {h*500:g} mm)",
+      abs(np.mean(heads) - theory) < h/2, *heads)
 entered, left = case.numbers("since the start ([0-9]*) particles entered, ([0-9]*) left", "demInterFoam")[-1]
 inside = len(case.particles(case.times()[-1], "positions"))
 claim("particles enter, and leave over the weir", entered > 100 and left > 10, entered, left)
