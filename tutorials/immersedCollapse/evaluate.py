@@ -99,11 +99,13 @@ def main():
     table = results.Table()
     for name, run in runs.items():
         fraction, height = packing(run)
-        table.add(name, "solid fraction of the column", 0.55 if name == "loose" else 0.60, fraction, source="Rondon 2011")
-        table.add(name, "height of the column", 0.048 if name == "loose" else 0.042, height, unit="m", source="Rondon 2011")
-        for what, (time, values), points in (("front", fronts(run), FRONTS), ("pore pressure", pressures(run), PRESSURES)):
+        loose = name == "loose"
+        table.add(name, "solid fraction of the column", 0.55 if loose else 0.60, fraction, source="Rondon 2011")
+        table.add(name, "height of the column", 0.048 if loose else 0.042, height, unit="m", source="Rondon 2011")
+        for what, (time, values), points in (("front", fronts(run), FRONTS),
+                                             ("pore pressure", pressures(run), PRESSURES)):
             for at, value in points[name]:
-                if time[-1] > at - 0.05:
+                if time[-1] >= at:
                     table.add(name, f"{what} at {at:g} s", value, numpy.interp(at, time, values),
                               unit="m" if what == "front" else "Pa", source="Rondon 2011")
         time, values = pressures(run)
