@@ -47,6 +47,8 @@ static const struct
     {"plasticDepth", "phiF phi_F", ""},
     {"energyDensity", "cohesionEnergyDensity", ""},
     {"parcels", "coarsegraining coarseGraining coarsegrain coarseGrain CGP", ""},
+    {"shape", "clump template", ""},
+    {"shapes", "clumps templates", ""},
     {"meanDiameter", "sauter d32 d_32", ""},
 };
 

@@ -67,7 +67,22 @@ static size_t find_inside(const struct dem_entry *e, const char *word)
     return e->count;
 }
 
-/* Why an entry is missing: an unread one is misspelt, or the entry before it has no semicolon,
+/* The name read here for which the entry e has the word of another code, or null. */
+static const char *meant_by(const struct dem_entry *e)
+{
+    const struct dem_dict_known_names *const q = e->parent->known_names;
+
+    for (size_t k = 0; !e->used && k < q->count; k++)
+    {
+        if (dem_alias_note(e->name, q->names[k]))
+        {
+            return q->names[k];
+        }
+    }
+    return NULL;
+}
+
+/* Why an entry is missing: an unread one is misspelt or a word of another code, or the entry before it has no semicolon,
    so that its value contains this one. */
 static void explain_absence(const struct dem_dict *d, const char *name, char *hint, size_t size)
 {
@@ -83,7 +98,13 @@ static void explain_absence(const struct dem_dict *d, const char *name, char *hi
     for (size_t i = 0; i < d->count; i++)
     {
         const struct dem_entry *const e = d->entries[i];
+        const char *const meant = misspelt ? NULL : meant_by(e);
         const size_t at = find_inside(e, name);
+
+        if (meant)
+        {
+            snprintf(hint, size, "; is \"%.60s\" in line %d meant to be %.60s?", e->name, e->line, meant);
+        }
 
         if (at < e->count)
         {

@@ -73,6 +73,7 @@ KINDS = {
     "gammat_abs": "damping",
     "cohesionEnergyDensity": "energy density",
     "FluidViscosity": "viscosity",
+    "k_finnie": "inverse pressure",
     "thermalConductivity": "conductivity",
     "thermalCapacity": "heat capacity",
     "youngsModulusOriginal": "pressure"}

@@ -7,7 +7,7 @@ import os
 
 import numpy
 
-from .liggghts_contact import fits
+from .liggghts_contact import Need, fits
 from .liggghts_heat import AREA
 from .liggghts_mesh import write_stl
 from .liggghts_region import AXES
@@ -123,10 +123,28 @@ class Walls:
         if mesh.spin:
             body += f" surfaceRotation {{ origin {vector(mesh.spin[:3])}; " \
                 f"axis {vector(mesh.spin[3:6])}; omega {text(mesh.spin[6])}; }}"
-        body += self.temperature(wall, mesh.temperature)
+        body += self.temperature(wall, mesh.temperature) + self.wear(mesh)
         if motion:
             body += " " + self.motion(motion)
         self.scene.named("walls", as_name(mesh.name, "wall"), body, mesh.place)
+
+    def wear(self, mesh):
+        """Entry of a wall; k_finnie [1/Pa] is coefficient/hardness."""
+        if not mesh.wears:
+            return ""
+        properties = self.state["properties"]
+        try:
+            if not properties.has("k_finnie"):
+                raise Need("k_finnie", "wear finnie needs it")
+            found = {properties.value("k_finnie", mesh.type, self.materials[name][0]) for name in self.of_particles}
+        except Need as need:
+            self.refuse(mesh.place, f"property/global {need}", need.why)
+        if len(found) > 1:
+            self.refuse(mesh.place, "k_finnie", "a wall of Suna has one coefficient of wear for all particles; give "
+                        "all types of particles the same value")
+        if not found:
+            return ""
+        return f" wear {{ law finnie; coefficient {text(found.pop())}; hardness 1; }}"
 
     def temperature(self, wall, value):
         """Entry of a wall."""

@@ -49,6 +49,7 @@ class Mesh:
     velocity: tuple = ()
     spin: tuple = ()                # origin, axis, omega
     temperature: float = 0.0        # K; 0: none
+    wears: bool = False             # by Finnie's law
     motions: list = field(default_factory=list)
 
     def at(self, time):

@@ -21,7 +21,6 @@ MESH_HARMLESS = {               # empty: EDGES
     "mass_temperature": "no law that was translated reads it",
     "reference_point": "",
     "stress": "",
-    "wear": "wear is not computed; the motion of the particles is the same",
     "region": "",
     "read_cell_data": "",
     "optimizeMeshSpacing": ""}
@@ -117,7 +116,7 @@ def mesh(t, name, group, words):
         elif key in MESH_HARMLESS:
             value = given.pop(0)
             given = given[2:] if key == "reference_point" else given
-            t.harmless(MESH_HARMLESS[key] or EDGES, f"wear {value}" if key == "wear" else key)
+            t.harmless(MESH_HARMLESS[key] or EDGES, key)
         elif key == "element_exclusion_list":
             t.harmless("exact repeats and slivers are left out anyway", key)
             given = given[2:]
@@ -132,6 +131,19 @@ def mesh(t, name, group, words):
 
 
 # ---- words of a mesh, in the order of the script; each returns the words left ------------------
+
+def mesh_wear(t, found, rest):
+    """2 k_finnie |v| |F| f(angle) dt, summed while a grain approaches: k_finnie m v^2 f for one that stops."""
+    law = rest.pop(0)
+    if law not in ("finnie", "off"):
+        t.refuse("known: finnie, off", f"wear {law}")
+    found.wears = law == "finnie"
+    if found.wears:
+        t.approximated("Suna adds k_finnie m v^2 f(angle) when a contact begins; LIGGGHTS sums 2 k_finnie |v| |F| "
+                       "f(angle) dt while the grain approaches, the same for a grain that stops at a constant angle",
+                       "wear finnie")
+    return rest
+
 
 def mesh_file(t, found, given):
     found.path = t.file(given[0])
@@ -197,7 +209,7 @@ def mesh_temperature(t, found, given):
 
 MESH_WORDS = {"file": mesh_file, "scale": mesh_scale, "move": mesh_move, "rotate": mesh_rotate,
               "surface_vel": mesh_velocity, "surface_ang_vel": mesh_spin,
-              "temperature": mesh_temperature}
+              "temperature": mesh_temperature, "wear": mesh_wear}
 
 
 def mesh_stress(t, name, group, words):

@@ -9,7 +9,7 @@ BASE = {"si": (1.0, 1.0, 1.0), "cgs": (1e-2, 1e-3, 1.0),    # length [m], mass [
 # powers of length, mass, time
 POWERS = {"length": (1, 0, 0), "mass": (0, 1, 0), "time": (0, 0, 1), "number": (0, 0, 0),
           "velocity": (1, 0, -1), "acceleration": (1, 0, -2), "spin": (0, 0, -1),
-          "density": (-3, 1, 0), "pressure": (-1, 1, -2), "energy density": (-1, 1, -2),
+          "density": (-3, 1, 0), "pressure": (-1, 1, -2), "inverse pressure": (1, -1, 2), "energy density": (-1, 1, -2),
           "force": (1, 1, -2), "torque": (2, 1, -2), "stiffness": (0, 1, -2), "damping": (0, 1, -1),
           "viscosity": (-1, 1, -1), "mass rate": (0, 1, -1), "rate": (0, 0, -1),
           "surface energy": (0, 1, -2), "conductivity": (1, 1, -3), "heat capacity": (2, 0, -2)}

@@ -438,6 +438,17 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
             plate__stl=plate)
     refused(BASE.replace(line + "\n", pressed.replace("vel_max 0.1 ", "")), "belong to it",
             plate__stl=plate)
+    worn = mesh.replace("scale 2", "scale 2 wear finnie")
+    constant = "fix k all property/global k_finnie peratomtypepair 1 2e-10\n"
+    text, report = translate(BASE.replace(line + "\n", constant + worn), plate__stl=plate)
+    has(text, "scale 2; surfaceVelocity (1 0 0); wear { law finnie; coefficient 2e-10; hardness 1; }")
+    assert text.count("wear {") == 1 and "k_finnie m v^2" in str(report.rows)
+    with suna.Simulation("scene.dem") as sim:
+        sim.advance(1e-5)
+    has(translate(BASE.replace("units si", "units cgs").replace(line + "\n", constant + worn), plate__stl=plate)[0],
+        "coefficient 2e-09;")
+    refused(BASE.replace(line + "\n", worn), "k_finnie", "wear finnie needs it", plate__stl=plate)
+    refused(BASE.replace(line + "\n", worn.replace("finnie", "archard")), "wear archard", plate__stl=plate)
     body = servo.replace("servo", "6dof")
     body = body[:body.index("com")] + "com 0 0 1 vel 0 0 -2 mass 3 moi 2 2 3 0 0 0.5 angmom 2 0 0 forceflags 0 0 1\n"
     loose = "".join([body, *mesh.splitlines(True)[1:]])
