@@ -9,6 +9,39 @@
 #include "demVoidFraction.H"
 #include "demColumns.H"
 #include "surfaceFields.H"
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace Foam
+{
+    // Add the values of particles to their passages, in the order of ids: the order in memory
+    // depends on neighbor lists and restarts. -1: no passage
+    static void addInOrder
+    (
+        const demView& view,
+        const UList<label>& passage,
+        const UList<scalar>& value,
+        scalarField& sum
+    )
+    {
+        std::vector<std::pair<int64_t, label>> order;
+
+        forAll(passage, i)
+        {
+            if (passage[i] >= 0)
+            {
+                order.emplace_back(idOf(view, i), i);
+            }
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto& particle : order)
+        {
+            sum[passage[particle.second]] += value[particle.second];
+        }
+    }
+}
+
 
 // `volume` of each particle that the fluid sees [m3]. Its mean velocity is its
 // displacement over the step: the velocity at the end of the step alternates
@@ -48,13 +81,7 @@ Foam::tmp<Foam::scalarField> Foam::demVoidFraction::reducedVolumes(scalarField& 
         (
             inletsOutlets_.reduceVolumes(transfer_.inMeshFrame(view_), V)
         );
-        forAll(passage, i)
-        {
-            if (passage[i] >= 0)
-            {
-                behind[passage[i]] += whole[i] - V[i];
-            }
-        }
+        addInOrder(view_, passage, scalarField(whole - V), behind);
         for (scalar& volume : behind)
         {
             reduce(volume, sumOp<scalar>());
@@ -105,6 +132,8 @@ void Foam::demVoidFraction::passWithVolumes(const volVectorField& U)
     }
 
     const demView view(transfer_.inMeshFrame(view_));
+    labelList through(view_.n, -1);
+    const scalarField entered(V);
     forAll(isNew, i)
     {
         if (!isNew[i])
@@ -114,13 +143,13 @@ void Foam::demVoidFraction::passWithVolumes(const volVectorField& U)
         const scalar reach =
             2*(*dem_at(view_.radius, view_.stride, size_t(i)))
           + mag(velocity(view_, i))*step;
-        const label k = inletsOutlets_.inletWithin(position(view, i), reach);
-        if (k >= 0)
+        through[i] = inletsOutlets_.inletWithin(position(view, i), reach);
+        if (through[i] >= 0)
         {
-            throughPatches_[k] += V[i];
             V[i] = 0;
         }
     }
+    addInOrder(view_, through, entered, throughPatches_);
     for (label k = 0; k < throughPatches_.size(); k++)
     {
         throughPatches_[k] =
