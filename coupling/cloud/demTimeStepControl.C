@@ -48,6 +48,12 @@ void Foam::demTimeStepControl::set
     const scalar limit
 )
 {
+    if (!(limit > 0))
+    {
+        FatalIOErrorInFunction(time_.controlDict())
+            << names_[criterion] << " is " << limit << "; it must be positive."
+            << " Leave it out for its default" << exit(FatalIOError);
+    }
     value_[criterion] = value;
     limit_[criterion] = limit;
 }

@@ -9,6 +9,7 @@
 #include "surfaceFields.H"
 #include "volFields.H"
 #include "demCheck.H"
+#include "wallPolyPatch.H"
 
 namespace Foam
 {
@@ -58,6 +59,28 @@ Foam::demCouplingScheme::demCouplingScheme(const demDict& dict, const bool volum
 }
 
 
+// Nothing flows through a wall whose constant velocity has no normal part
+void Foam::demCouplingScheme::checkPasses(const volVectorField& U, const label patchi) const
+{
+    const fvPatchVectorField& Ub = U.boundaryField()[patchi];
+    const word& type = Ub.type();
+
+    if
+    (
+        isA<wallPolyPatch>(U.mesh().boundaryMesh()[patchi])
+     && (type == "noSlip" || type == "fixedValue")
+     && gMax(mag(Ub & U.mesh().Sf().boundaryField()[patchi])()) == 0
+    )
+    {
+        FatalIOErrorInFunction(dict_.coupling())
+            << "mixtureFlux names patch " << U.mesh().boundaryMesh()[patchi].name()
+            << ", a wall without flow through it (0/U is " << type
+            << "); name inlets or outlets with a fixed velocity, or take the patch out"
+            << exit(FatalIOError);
+    }
+}
+
+
 Foam::boolList Foam::demCouplingScheme::mixturePatches(const volVectorField& U) const
 {
     const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
@@ -80,6 +103,7 @@ Foam::boolList Foam::demCouplingScheme::mixturePatches(const volVectorField& U) 
                 << " fixedValue for one, or take the patch out of mixtureFlux"
                 << exit(FatalIOError);
         }
+        checkPasses(U, patchi);
         chosen[patchi] = true;
     }
     return chosen;

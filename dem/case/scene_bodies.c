@@ -11,7 +11,11 @@
 #include "walls/wall_motion.h"
 #include "walls/wall_turn.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+/* For "%s: %s: ": the line, and walls/NAME/motion. */
+#define PLACE(dict) dem_dict_where(dict), dem_dict_path(dict)
 
 static int read_load_table(const struct dem_dict *dict, const char *name, const struct dem_wall_body *b,
                            struct dem_time_table **to)
@@ -43,7 +47,7 @@ static int read_positive(const struct dem_dict *dict, const char *name, const ch
 {
     DEM_TRY(dem_dict_number(dict, name, unit, value));
     DEM_REQUIRE(*value > 0.0 && *value < DEM_MOTION_LIMIT, DEM_ERROR_INPUT,
-                "%s: %s %g %s; give a number above 0 and below %g", dem_dict_where(dict), name, *value,
+                "%s: %s: %s %g %s; give a number above 0 and below %g", PLACE(dict), name, *value,
                 unit, DEM_MOTION_LIMIT);
     return DEM_OK;
 }
@@ -54,7 +58,7 @@ static int read_damping(const struct dem_dict *dict, const char *unit, double le
 {
     DEM_TRY(dem_dict_number_or(dict, "damping", unit, least, &b->damping));
     DEM_REQUIRE(b->damping >= 0.0 || !dem_dict_has(dict, "damping"), DEM_ERROR_INPUT,
-                "%s: damping %g %s; give a number above or equal to 0", dem_dict_where(dict), b->damping,
+                "%s: %s: damping %g %s; give a number above or equal to 0", PLACE(dict), b->damping,
                 unit);
     return DEM_OK;
 }
@@ -70,7 +74,7 @@ static int read_axes(const struct dem_dict *dict, const char *name, double axis[
 
     DEM_TRY(dem_dict_words(dict, name, &word, &n));
     DEM_REQUIRE(n >= 1 && n <= 3, DEM_ERROR_INPUT,
-                "%s: %s with %zu words; give one to three of x y z", dem_dict_where(dict), name, n);
+                "%s: %s: %s with %zu words; give one to three of x y z", PLACE(dict), name, n);
     for (size_t k = 0; k < n; k++)
     {
         int a = 0;
@@ -81,13 +85,13 @@ static int read_axes(const struct dem_dict *dict, const char *name, double axis[
         }
         if (a == 3)
         {
-            return dem_error_prefix(dem_did_you_mean_error("axis", word[k], known, 3), "%s: %s: ",
-                                    dem_dict_where(dict), name);
+            return dem_error_prefix(dem_did_you_mean_error("axis", word[k], known, 3), "%s: %s: %s: ",
+                                    PLACE(dict), name);
         }
         for (size_t m = 0; m < k; m++)
         {
             DEM_REQUIRE(axis[m][a] == 0.0, DEM_ERROR_INPUT,
-                        "%s: %s has %s twice; give each once", dem_dict_where(dict), name, word[k]);
+                        "%s: %s: %s has %s twice; give each once", PLACE(dict), name, word[k]);
         }
         axis[k][a] = 1.0;
     }
@@ -106,8 +110,8 @@ static int read_inertia(const struct dem_dict *dict, struct dem_wall_turn *t)
     DEM_TRY(dem_dict_vector(dict, "centre", "m", t->centre));
     DEM_TRY(dem_dict_numbers(dict, "inertia", "kg m2", &number, &n));
     DEM_REQUIRE(n == 3 || n == 6, DEM_ERROR_INPUT,
-                "%s: inertia with %zu numbers; give three (xx yy zz) or six (xx yy zz xy xz yz)",
-                dem_dict_where(dict), n);
+                "%s: %s: inertia with %zu numbers; give three (xx yy zz) or six (xx yy zz xy xz yz)",
+                PLACE(dict), n);
     for (int k = 0; k < 3; k++)
     {
         t->tensor[k][k] = number[k];
@@ -116,11 +120,15 @@ static int read_inertia(const struct dem_dict *dict, struct dem_wall_turn *t)
             t->tensor[k][l] = t->tensor[l][k] = number[2 + k + l];
         }
     }
+    struct dem_wall_turn whole = *t;    /* about one axis, too, it is the inertia of a body */
+
+    whole.axes = 3;
+    dem_wall_turn_prepare(&whole, &dem_pose_identity);
     dem_wall_turn_prepare(t, &dem_pose_identity);
-    DEM_REQUIRE(!dem_wall_turn_impossible(t), DEM_ERROR_INPUT,
-                "%s: no body has the inertia about its centre with the principal moments (%g %g %g) kg m2; each "
-                "is above 0 and at most the sum of the others", dem_dict_where(dict), t->inertia[0],
-                t->inertia[1], t->inertia[2]);
+    DEM_REQUIRE(!dem_wall_turn_impossible(&whole), DEM_ERROR_INPUT,
+                "%s: %s: no body has the inertia about its centre with the principal moments (%g %g %g) kg m2; each "
+                "is above 0 and at most the sum of the others", PLACE(dict), whole.inertia[0],
+                whole.inertia[1], whole.inertia[2]);
     return DEM_OK;
 }
 
@@ -133,12 +141,59 @@ static int read_mass(const struct dem_dict *dict, struct dem_wall_body *b)
         return b->turn.axes > 0 ? read_inertia(dict, &b->turn) : DEM_OK;
     }
     DEM_REQUIRE(!dem_dict_has(dict, "mass") && !dem_dict_has(dict, "inertia") && !dem_dict_has(dict, "centre"),
-                DEM_ERROR_INPUT, "%s: both density and mass, centre or inertia; density gives them all, so keep one",
-                dem_dict_where(dict));
+                DEM_ERROR_INPUT, "%s: %s: both density and mass, centre or inertia; density gives them all; keep "
+                "one", PLACE(dict));
     return read_positive(dict, "density", "kg/m3", &b->turn.density);
 }
 
-static int read_turn(const struct dem_dict *dict, struct dem_wall_body *b)
+/* "x y", or "(0.6 0 0.8)" for an axis that is no coordinate axis. */
+static void print_axes(const double (*axis)[3], int axes, char *text, size_t size)
+{
+    size_t n = 0;
+
+    text[0] = '\0';
+    for (int k = 0; k < axes && n < size; k++)
+    {
+        const char *const before = k > 0 ? " " : "";
+        int a = 0;
+
+        while (a < 3 && axis[k][a] != 1.0)
+        {
+            a++;
+        }
+        n += (size_t)(a < 3 ? snprintf(text + n, size - n, "%s%c", before, "xyz"[a])
+                            : snprintf(text + n, size - n, "%s(%g %g %g)", before, axis[k][0], axis[k][1], axis[k][2]));
+    }
+}
+
+/* The velocity or spin `v` that a free wall begins with has no part across its free axes. */
+static int check_start(const struct dem_dict *dict, const struct dem_wall *of, const char *name, const char *unit,
+                       const double v[3], const double (*axis)[3], int axes)
+{
+    static const double rounded = 1e-3;    /* of a direction that was printed with three digits */
+    const int spins = strcmp(name, "spin") == 0;
+    double along[3] = {0.0, 0.0, 0.0}, across[3];
+    char text[128];
+
+    for (int k = 0; k < axes; k++)
+    {
+        const double part = dem_vec_dot(v, axis[k]);
+
+        for (int l = 0; l < 3; l++)
+        {
+            along[l] += part*axis[k][l];
+        }
+    }
+    dem_vec_minus(v, along, across);
+    print_axes(axis, axes, text, sizeof text);
+    DEM_REQUIRE(!(dem_vec_norm(across) > rounded*dem_vec_norm(v)), DEM_ERROR_INPUT,
+                "%s: %s: %s (%g %g %g) %s, but wall %s %s %s only; give %s (%g %g %g), or more %s", PLACE(dict), name,
+                v[0], v[1], v[2], unit, of->name, spins ? "rotates freely about" : "moves freely along", text, name,
+                along[0], along[1], along[2], spins ? "rotations" : "axes");
+    return DEM_OK;
+}
+
+static int read_turn(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
     struct dem_wall_turn *const t = &b->turn;
@@ -149,13 +204,14 @@ static int read_turn(const struct dem_dict *dict, struct dem_wall_body *b)
         return DEM_OK;
     }
     DEM_TRY(read_axes(dict, "rotations", axis, &t->axes));
-    DEM_REQUIRE(t->axes != 2, DEM_ERROR_INPUT, "%s: rotations about two axes, which would not stay fixed in "
-                "space; give one or three", dem_dict_where(dict));
+    DEM_REQUIRE(t->axes != 2, DEM_ERROR_INPUT, "%s: %s: rotations about two axes, which would not stay fixed in "
+                "space; give one or three", PLACE(dict));
     memcpy(t->axis, axis[0], sizeof t->axis);
     DEM_TRY(dem_dict_vector_or(dict, "spin", "1/s", zero, t->spin));
+    DEM_TRY(check_start(dict, of, "spin", "1/s", t->spin, (const double (*)[3])axis, t->axes));
     DEM_TRY(dem_dict_number_or(dict, "angularDamping", "N m s/rad", 0.0, &t->damping));
-    DEM_REQUIRE(t->damping >= 0.0, DEM_ERROR_INPUT, "%s: angularDamping %g N m s/rad; give a number above or equal "
-                "to 0", dem_dict_where(dict), t->damping);
+    DEM_REQUIRE(t->damping >= 0.0, DEM_ERROR_INPUT, "%s: %s: angularDamping %g N m s/rad; give a number above or equal "
+                "to 0", PLACE(dict), t->damping);
     return dem_dict_has_dict(dict, "torque") ? read_load_table(dict, "torque", b, &t->table)
                                              : dem_dict_vector_or(dict, "torque", "N m", zero, t->torque);
 }
@@ -167,14 +223,15 @@ static int read_velocity(const struct dem_dict *dict, const struct dem_wall *of,
     double v[3];
 
     DEM_TRY(dem_dict_vector_or(dict, "velocity", "m/s", zero, v));
+    DEM_TRY(check_start(dict, of, "velocity", "m/s", v, (const double (*)[3])b->axis, b->axes));
     for (int k = 0; k < b->axes; k++)
     {
         b->state.v[k] = dem_vec_dot(v, b->axis[k]);
     }
     DEM_REQUIRE(!(dem_dict_has(dict, "velocity") || dem_dict_has(dict, "spin"))
                     || !(dem_dict_has(dict, "start") || of->there[0] > -INFINITY || of->there_stage[0]),
-                DEM_ERROR_INPUT, "%s: velocity and spin hold at the start of the run, but wall %s moves later; take "
-                "them out, or start and from", dem_dict_where(dict), of->name);
+                DEM_ERROR_INPUT, "%s: %s: velocity and spin hold at the start of the run, but wall %s moves later; "
+                "take them out, or start and from", PLACE(dict), of->name);
     return DEM_OK;
 }
 
@@ -214,7 +271,7 @@ static int read_free(const struct dem_dict *dict, const struct dem_wall *of, str
     int weightless;
 
     b->kind = DEM_WALL_BODY_FREE;
-    DEM_TRY(read_turn(dict, b));
+    DEM_TRY(read_turn(dict, of, b));
     DEM_TRY(read_mass(dict, b));
     DEM_TRY(read_damping(dict, "kg/s", 0.0, b));
     DEM_TRY(read_weight(dict, b, &weightless));
@@ -242,8 +299,8 @@ static int read_stops(const struct dem_dict *dict, struct dem_wall_body *b)
     }
     DEM_TRY(dem_dict_numbers(dict, "stops", "rad", &angle, &n));
     DEM_REQUIRE(n == 2 && angle[0] <= 0.0 && angle[1] >= 0.0 && angle[0] < angle[1], DEM_ERROR_INPUT,
-                "%s: stops are two angles [rad], the first at most 0, where the wall begins, the second "
-                "at least 0", dem_dict_where(dict));
+                "%s: %s: stops are two angles [rad], the first at most 0, where the wall begins, the second "
+                "at least 0", PLACE(dict));
     memcpy(b->stops, angle, sizeof b->stops);
     return DEM_OK;
 }
@@ -259,8 +316,8 @@ static int check_inertia(const struct dem_dict *dict, const struct dem_wall_body
 
     DEM_REQUIRE(b->mass >= least*(1.0 - rounded), DEM_ERROR_INPUT,
                 "%s: %s: inertia %g kg m2 about the axis, but mass %g kg with its centre %g m from the axis has "
-                "at least %g kg m2; give that or more, or correct origin, axis and centre", dem_dict_where(dict),
-                dem_dict_path(dict), b->mass, b->weighs, dem_vec_norm(across), least);
+                "at least %g kg m2; give that or more, or correct origin, axis and centre", PLACE(dict),
+                b->mass, b->weighs, dem_vec_norm(across), least);
     return DEM_OK;
 }
 
@@ -299,12 +356,12 @@ static int check_target(const struct dem_dict *dict, const char *name, const cha
     {
         most = fmax(most, b->table->row[k].value[0]);
         DEM_REQUIRE(b->table->row[k].value[0] >= 0.0, DEM_ERROR_INPUT,
-                    "%s: %s %g %s at time %g s of the table; a servo presses along its axis: give numbers "
-                    "above 0, or turn the axis", dem_dict_where(dict), name, b->table->row[k].value[0], unit,
+                    "%s: %s: %s %g %s at time %g s of the table; a servo presses along its axis: give numbers "
+                    "above 0, or turn the axis", PLACE(dict), name, b->table->row[k].value[0], unit,
                     b->table->row[k].time);
     }
-    DEM_REQUIRE(most > 0.0, DEM_ERROR_INPUT, "%s: %s %g %s; a servo presses along its axis: give a "
-                "number above 0, or turn the axis", dem_dict_where(dict), name, most, unit);
+    DEM_REQUIRE(most > 0.0, DEM_ERROR_INPUT, "%s: %s: %s %g %s; a servo presses along its axis: give a "
+                "number above 0, or turn the axis", PLACE(dict), name, most, unit);
     return DEM_OK;
 }
 
@@ -315,8 +372,8 @@ static int read_servo(const struct dem_dict *dict, const struct dem_wall *of, st
     b->kind = DEM_WALL_BODY_SERVO;
     b->axes = 1;
     DEM_REQUIRE(pressure != dem_dict_has(dict, "force"), DEM_ERROR_INPUT,
-                "%s: give force [N] or pressure [Pa] with area [m2], one of the two",
-                dem_dict_where(dict));
+                "%s: %s: give force [N] or pressure [Pa] with area [m2], one of the two",
+                PLACE(dict));
     DEM_TRY(read_positive(dict, "maxSpeed", "m/s", &b->max_speed));
     DEM_TRY(read_damping(dict, "kg/s", -1.0, b));
     if (pressure)
@@ -348,8 +405,8 @@ int dem_scene_read_body(const struct dem_dict *dict, const char *type, const str
     b->area = b->state.turn[0] = b->state.turn_before[0] = 1.0;
     DEM_TRY(dem_scene_read_times(dict, &b->start, &b->end, b->stage));
     DEM_REQUIRE(of->shape == DEM_SHAPE_PLANE || of->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
-                "%s: wall %s is round; only planes and triangles are moved by force",
-                dem_dict_where(dict), of->name);
+                "%s: %s: wall %s is round; only planes and triangles are moved by force",
+                PLACE(dict), of->name);
     return strcmp(type, "free") == 0    ? read_free(dict, of, b)
            : strcmp(type, "hinge") == 0 ? read_hinge(dict, b)
                                         : read_servo(dict, of, b);

@@ -36,7 +36,7 @@ static int refuse_effects(const struct dem_interaction_table *r)
                     "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
                     "form resists rolling; leave it out, or take rollingSpring", e->name);
         DEM_REQUIRE(e->stage != DEM_STAGE_BOND && e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
-                    "shapes: effects/%s does not work with clumps yet; leave out one of the two",
+                    "shapes: effects/%s cannot be used with clumps yet; leave out one of the two",
                     e->name);
     }
     return DEM_OK;
@@ -66,7 +66,7 @@ static int refuse_entries(const struct dem_case *c)
     for (size_t k = 0; k < sizeof entries/sizeof *entries; k++)
     {
         DEM_REQUIRE(!entries[k].used, DEM_ERROR_INPUT,
-                    "shapes: %s does not work with clumps yet; leave out one of the two",
+                    "shapes: %s cannot be used with clumps yet; leave out one of the two",
                     entries[k].name);
     }
     return DEM_OK;

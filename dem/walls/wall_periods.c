@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include <math.h>
+#include <stdio.h>
 
 void dem_domain_make_walls_periodic(const struct dem_domain *d, double reach, struct dem_walls *w)
 {
@@ -91,6 +92,33 @@ static int check_primitive(const struct dem_domain *d, int axis, double radius,
     return DEM_OK;
 }
 
+/* Names all periodic axes that are in the way. */
+static int refuse_free_rotation(const struct dem_domain *d, const struct dem_walls *w, const struct dem_wall *of,
+                                const struct dem_wall_turn *t)
+{
+    const char about = t->axis[0] != 0.0 ? 'x' : t->axis[1] != 0.0 ? 'y' : 'z';
+    char rotations[] = "x y z", along[] = "x, y, z", cure[24];
+    int n = 0, last = 0;
+
+    if (t->axes == 1)
+    {
+        snprintf(rotations, sizeof rotations, "%c", about);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        if (d->periodic[k] && (motion_across(w, of, k) || drive_across(of, k)))
+        {
+            snprintf(along + 3*n, sizeof along - (size_t)(3*n), "%c, ", "xyz"[k]);
+            last = k;
+            n++;
+        }
+    }
+    along[3*n - 2] = '\0';
+    snprintf(cure, sizeof cure, n == 1 ? "give rotations (%c)" : "leave rotations out", "xyz"[last]);
+    return dem_error(DEM_ERROR_INPUT, "wall %s has rotations (%s) and may come to any place of domain, which is "
+                     "periodic along %s; remove %s from domain/periodic, or %s", of->name, rotations, along, along, cure);
+}
+
 /* A rotation about another axis than a periodic one takes images apart. */
 static int check_rotation(const struct dem_domain *d, int axis, double radius,
                           const struct dem_walls *w, const struct dem_triangle *t)
@@ -105,10 +133,10 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
     {
         return DEM_OK;
     }
-    DEM_REQUIRE(!c || !c->body || c->body->turn.axes == 0, DEM_ERROR_INPUT,
-                "wall %s rotates freely about (%g %g %g), and may come to any place of domain, which is periodic "
-                "along %c; remove %c from domain/periodic, or let it rotate about %c only", of->name, about[0],
-                about[1], about[2], "xyz"[axis], "xyz"[axis], "xyz"[axis]);
+    if (c && c->body && c->body->turn.axes > 0)
+    {
+        return refuse_free_rotation(d, w, of, &c->body->turn);
+    }
     dem_walls_swept_extent(w, t, axis, extent);
     for (int side = 0; side < 2; side++)
     {

@@ -97,6 +97,13 @@ static void checkParticles(const demCloud& cloud)
             << "equations is not II in coupling of constant/" << demDict::name()
             << "; demInterFoam has the set II only: take the entry out" << exit(FatalError);
     }
+    if (dict.coupling().found("mixtureFlux"))
+    {
+        FatalErrorInFunction
+            << "mixtureFlux is given in coupling of constant/" << demDict::name()
+            << "; only demPimpleFoam has it: take the entry out, and give 0/U of the fluids"
+            << exit(FatalError);
+    }
     if (cloud.transfersHeat())
     {
         FatalErrorInFunction

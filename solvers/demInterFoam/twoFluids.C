@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "twoFluids.H"
+#include "mixedFvPatchFields.H"
 #include "surfaceTensionModel.H"
 #include "demFiles.H"
 #include "fvcSnGrad.H"
@@ -105,6 +106,16 @@ static void checkControls(const fvMesh& mesh, const word& alpha)
     }
 }
 
+
+static scalar extremeSigma(const fvMesh& mesh, const bool largest)
+{
+    const surfaceTensionModel& tension =
+        mesh.lookupObject<surfaceTensionModel>(surfaceTensionModel::typeName);
+    const tmp<volScalarField> sigma(tension.sigma());
+
+    return largest ? gMax(sigma().primitiveField()) : gMin(sigma().primitiveField());
+}
+
 } // End namespace Foam
 
 
@@ -149,6 +160,43 @@ void Foam::twoFluids::checkAlpha() const
             << least << " and " << most << "; it is a volume fraction, from 0 to 1"
             << exit(FatalError);
     }
+
+    const fvBoundaryMesh& patches = alpha.mesh().boundary();
+    for (label patchi = 0; patchi < alpha.mesh().boundaryMesh().nNonProcessor(); ++patchi)
+    {
+        const fvPatchScalarField& field = alpha.boundaryField()[patchi];
+        const auto* mixed = isA<mixedFvPatchScalarField>(field);    // inletOutlet, say
+
+        if (!mixed && !field.fixesValue())
+        {
+            continue;
+        }
+        const scalarField& value = mixed ? mixed->refValue() : field;
+        const scalar low = returnReduce(min(value), minOp<scalar>());
+        const scalar high = returnReduce(max(value), maxOp<scalar>());
+
+        if (!(low > -1e-6 && high < 1 + 1e-6))
+        {
+            FatalErrorInFunction
+                << alpha.name() << " of " << alpha.time().timeName() << " on patch "
+                << patches[patchi].name() << " lies between " << low << " and " << high
+                << "; it is a volume fraction: give a fixed value from 0 to 1"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::twoFluids::checkTension() const
+{
+    const scalar least = extremeSigma(rho_.mesh(), false);
+
+    if (!(least >= 0))
+    {
+        FatalErrorInFunction
+            << "sigma of " << where << " is " << least << " N/m; it must be positive, or 0 for"
+            << " no surface tension" << exit(FatalError);
+    }
 }
 
 
@@ -166,6 +214,7 @@ Foam::twoFluids::twoFluids
     )
 {
     checkAlpha();
+    checkTension();
 }
 
 
@@ -204,9 +253,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::capillarity() const
 Foam::scalar Foam::twoFluids::capillaryStep() const
 {
     const fvMesh& mesh = rho_.mesh();
-    const surfaceTensionModel& tension =
-        mesh.lookupObject<surfaceTensionModel>(surfaceTensionModel::typeName);
-    const scalar sigma = gMax(tension.sigma()().primitiveField());
+    const scalar sigma = extremeSigma(mesh, true);
 
     if (!(sigma > 0))
     {

@@ -214,8 +214,8 @@ static void damped(void)
     static const double I = 2e-7, c = 1e-5, dt = 1e-4;
     struct dem *const d = energy_world(
         world_text("%s effects { hertz {} } walls { w { type triangles; corners ((0 0 0) (1e-2 0 0) (0 1e-2 0)); motion { "
-                   "type free; mass 1e-3; axes (x); rotations (y); inertia (1e-7 %g 3e-7); centre (0 0 0); spin (1 5 2); "
-                   "velocity (0.1 0.2 0); angularDamping %g; } } } time { step %g; }", glass, I, c, dt), 0, NULL);
+                   "type free; mass 1e-3; axes (x); rotations (y); inertia (1e-7 %g 3e-7); centre (0 0 0); spin (0 5 0); "
+                   "velocity (0.1 0 0); angularDamping %g; } } } time { step %g; }", glass, I, c, dt), 0, NULL);
 
     world_step(d);
     world_step(d);
@@ -361,17 +361,29 @@ int main(void)
     weight_in_fluid("type free; mass 1; weight yes;", 0);
     weight_in_fluid("type hinge; origin (0 0 0); axis (1 0 0); inertia 1; mass 1; centre (0 0 0);", 1);
     weight_in_fluid("type hinge; origin (0 0 0); axis (1 0 0); inertia 1; mass 1; centre (0 0 0); weight no;", 0);
-    refuses("mass 1; rotations (x y); inertia (1 1 1); centre (0 0 0);", "give one or three");
+    refuses("mass 1; rotations (x y); inertia (1 1 1); centre (0 0 0);", "walls/w/motion: rotations about two axes");
     refuses("mass 1; rotations (x y z); inertia (1 1 3); centre (0 0 0);", "at most the sum of the others");
     refuses("mass 1; rotations (x y z); inertia (1 1); centre (0 0 0);", "give three (xx yy zz)");
     refuses("density 1000; rotations (x y z);", "surface must be closed");
-    refuses("density 1000; mass 1; rotations (x y z);", "keep one");
+    refuses("mass 1; rotations (z); inertia (1 1 3); centre (0 0 0);", "at most the sum of the others");
+    refuses("density 1000; mass 1; rotations (x y z);", "walls/w/motion: both density and mass");
+    refuses("mass -1;", "walls/w/motion: mass -1 kg; give a number above 0");
+    refuses("mass 1; rotations (z); inertia (1 1 1); centre (0 0 0); spin (5 0 2);",
+            "spin (5 0 2) 1/s, but wall w rotates freely about z only; give spin (0 0 2), or more rotations");
+    refuses("mass 1; axes (y z); velocity (1 3 0);",
+            "velocity (1 3 0) m/s, but wall w moves freely along y z only; give velocity (0 3 0), or more axes");
+    refuses("mass 1; axis (3 0 4); velocity (4 0 -3);", "moves freely along (0.6 0 0.8) only");
     refuses("mass 1; velocity (1 0 0); start 1;", "moves later");
     world_refused(world_text("%s effects { hertz {} } walls { w { type plane; point (0 0 0); normal (0 0 1); motion { type "
                              "free; mass 1; rotations (z); inertia (1 1 1); centre (0 0 0); } } }", glass),
                   "no centre about which");
     world_refused(world_text("%s effects { hertz {} } domain { x (0 1); periodic (x); } walls { w { type triangles; corners "
                              "((0.1 0 0) (0.2 0 0) (0.1 0.1 0)); motion { type free; mass 1; rotations (z); inertia "
-                             "(1 1 1); centre (0 0 0); } } } time { step 1e-4; }", glass), "or let it rotate about x only");
+                             "(1 1 1); centre (0 0 0); } } } time { step 1e-4; }", glass), "has rotations (z) and may come to any place of domain, "
+                  "which is periodic along x; remove x from domain/periodic, or give rotations (x)");
+    world_refused(world_text("%s effects { hertz {} } domain { x (0 1); y (0 1); periodic (x y); } walls { w { type "
+                             "triangles; corners ((0.1 0 0) (0.2 0 0) (0.1 0.1 0)); motion { type free; mass 1; rotations "
+                             "(x y z); inertia (1 1 1); centre (0 0 0); } } } time { step 1e-4; }", glass),
+                  "periodic along x, y; remove x, y from domain/periodic, or leave rotations out");
     TAP_DONE;
 }

@@ -116,6 +116,8 @@ slips = [                                             # what, sentence, changes
      coupling("twoWay no; record { interval 1; budget yes; }")),
     ("a misspelt word in record", "bugdet.*budget", coupling("record { interval 1; bugdet yes; }")),
     ("the mixture's flux through an unknown patch", "mixtureFlux.*nowhere", coupling("mixtureFlux (nowhere);")),
+    ("the mixture's flux through a wall", "mixtureFlux names patch walls, a wall without flow.*name inlets or outlets",
+     coupling("mixtureFlux (walls);")),
     ("copies or none", "lastGood", coupling("lastGood maybe;")),
     ("a misspelt word for copies", "lastGod.*lastGood", coupling("lastGod yes;")),
     ("a fluid in the scene", "take out fluid", before("coupling", "fluid { density 1; viscosity 1; }")),

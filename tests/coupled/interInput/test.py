@@ -37,6 +37,16 @@ refused("no model of the viscosity", transport, [("^water .* transportModel Newt
 refused("no surface tension", transport, [("^sigma .*", "")], "sigma is missing")
 refused("alpha below 0", "0/alpha.water", [("^1$", "-0.2")],
         "alpha.water of 0 lies between -0.2 and 0; ... from 0 to 1")
+refused("alpha of a patch above 1", "0/alpha.water", [("type zeroGradient", "type fixedValue; value uniform 1.5")],
+        "alpha.water of 0 on patch walls lies between 1.5 and 1.5; ... from 0 to 1")
+refused("alpha that enters below 0", "0/alpha.water",
+        [("type zeroGradient", "type inletOutlet; inletValue uniform -1; value uniform 0")],
+        "on patch walls lies between -1 and -1; ... from 0 to 1")
+refused("a surface tension below 0", transport, [("^sigma .*", "sigma -1;")], "sigma ... is -1 N/m; it must be positive")
+refused("an interface Courant number below 0", "system/controlDict", [("^deltaT", "maxAlphaCo -1;\\ndeltaT")],
+        "maxAlphaCo is -1; it must be positive")
+refused("the mixture's flux", scene, [("coupling {", "coupling { mixtureFlux ();")],
+        "mixtureFlux ... only demPimpleFoam has it")
 refused("no settings of alpha", solution, [('"alpha.*', "")], "no entry alpha.water in solvers")
 refused("no compression", solution, [("cAlpha 1;", "")], "cAlpha is missing")
 refused("implicit MULES", solution, [("cAlpha 1;", "cAlpha 1; MULESCorr yes;")], "explicit MULES only")
