@@ -65,6 +65,7 @@ static const char *run_reason(const struct dem_state *state)
     const struct dem_particles *const p = &state->particles;
 
     return p->batch.n > 1                          ? "the fluid has scalars besides the viscosity"
+           : state->energy_balance->heat >= 0      ? "effect frictionHeat needs an energy balance"
            : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
            : state->cell.active                    ? "the cell deforms (domain/cell)"
