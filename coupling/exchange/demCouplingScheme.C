@@ -9,6 +9,7 @@
 #include "surfaceFields.H"
 #include "volFields.H"
 #include "demCheck.H"
+#include "demPassedWalls.H"
 #include "wallPolyPatch.H"
 
 namespace Foam
@@ -69,7 +70,7 @@ void Foam::demCouplingScheme::checkPasses(const volVectorField& U, const label p
     (
         isA<wallPolyPatch>(U.mesh().boundaryMesh()[patchi])
      && (type == "noSlip" || type == "fixedValue")
-     && gMax(mag(Ub & U.mesh().Sf().boundaryField()[patchi])()) == 0
+     && !demPassedWalls::isPassed(Ub)
     )
     {
         FatalIOErrorInFunction(dict_.coupling())

@@ -12,34 +12,37 @@ namespace Foam
     // Square of a tetrahedron's height over its largest possible one: below this
     // it is degenerate
     static const scalar degenerate = 1e-20;
-}
 
-
-inline Foam::scalar Foam::demLocator::weights
-(
-    const vector& d,
-    const vector& e,
-    const vector& p,
-    const vector& q,
-    const scalar pd,
-    const scalar qd,
-    vector& w
-)
-{
-    const vector pxq(p ^ q);
-    const scalar volume = e & pxq;
-
-    if (sqr(volume) <= degenerate*magSqr(e)*magSqr(pxq))
+    // Weights w of e, p and q for which w.x e + w.y p + w.z q = d, and the least of the
+    // three: below 0 if d leaves through a side of the tetrahedron; -GREAT if its corners
+    // have no interior. pd, qd: (d ^ e) & p, (d ^ e) & q
+    static inline scalar cornerWeights
+    (
+        const vector& d,
+        const vector& e,
+        const vector& p,
+        const vector& q,
+        const scalar pd,
+        const scalar qd,
+        vector& w
+    )
     {
-        return -GREAT;
+        const vector pxq(p ^ q);
+        const scalar volume = e & pxq;
+
+        if (sqr(volume) <= degenerate*magSqr(e)*magSqr(pxq))
+        {
+            return -GREAT;
+        }
+        w = vector((d & pxq)/volume, -qd/volume, pd/volume);
+        return min(w.x(), min(w.y(), w.z()));
     }
-    w = vector((d & pxq)/volume, -qd/volume, pd/volume);
-    return min(w.x(), min(w.y(), w.z()));
+
 }
 
 
-// First only the triangles whose points p and q lie on either side of the plane through d and e:
-// no other contains d
+// First only the triangles whose points p and q lie on either side of the plane through d
+// and e: no other contains d
 void Foam::demLocator::tryFace
 (
     const label facei,
@@ -68,7 +71,7 @@ void Foam::demLocator::tryFace
 
             if (all || pd*qd <= 0)
             {
-                const scalar smallest = weights(d, e, p, q, pd, qd, w);
+                const scalar smallest = cornerWeights(d, e, p, q, pd, qd, w);
 
                 if (smallest > best && (all || smallest >= 0))
                 {

@@ -23,10 +23,10 @@ static bool isGiven(const fvPatchVectorField& Up)
     return Up.fixesValue() && !Up.assignable();
 }
 
+} // End namespace Foam
 
-// Does fluid pass a patch that is a wall, at a given velocity? A wall that moves with
-// the mesh takes the fluid along. Collective.
-static bool isPassed(const fvPatchVectorField& Up)
+
+bool Foam::demPassedWalls::isPassed(const fvPatchVectorField& Up)
 {
     if (!isGiven(Up) || isA<movingWallVelocityFvPatchVectorField>(Up))
     {
@@ -37,8 +37,6 @@ static bool isPassed(const fvPatchVectorField& Up)
     return
         gSum(mag(Up & Sf)()) > minNormalFraction*gSum((mag(Up)*mag(Sf))());
 }
-
-} // End namespace Foam
 
 
 Foam::wordList Foam::demPassedWalls::types(const fvMesh& mesh)

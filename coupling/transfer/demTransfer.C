@@ -262,9 +262,12 @@ Foam::tmp<Foam::vectorField> Foam::demTransfer::sample(const volVectorField& fie
 
     for (const sampled& s : recent_)
     {
+        if (!s.known)       // the same on all ranks
+        {
+            continue;
+        }
         const bool same =
-            s.known
-         && std::memcmp(s.cells.cdata(), cells.cdata(), cells.size()*sizeof(vector)) == 0;
+            std::memcmp(s.cells.cdata(), cells.cdata(), cells.size()*sizeof(vector)) == 0;
 
         if (returnReduce(same, andOp<bool>()))
         {

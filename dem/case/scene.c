@@ -264,6 +264,16 @@ static int read_frozen(struct dem_scene *s, const struct dem_dict *start,
     return DEM_OK;
 }
 
+static int read_device(struct dem_scene *s, const struct dem_dict *scene)
+{
+    s->device = "cpu";
+    DEM_TRY(dem_dict_has(scene, "device") ? dem_dict_text(scene, "device", &s->device) : DEM_OK);
+    DEM_REQUIRE(s->device[0], DEM_ERROR_INPUT,
+                "%s: device is empty; give cpu, gpu, or a part of a name of dem run -device list",
+                dem_dict_where(scene));
+    return DEM_OK;
+}
+
 int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
                    struct dem_interaction_table *r, struct dem_walls *w, struct dem_domain *d)
 {
@@ -278,8 +288,7 @@ int dem_scene_read(struct dem_scene *s, const struct dem_dict *scene,
     DEM_TRY(dem_scene_read_fluid(&s->fluid, scene, r));
     DEM_TRY(read_time(s, scene));
     DEM_TRY(read_neighbours(s, scene));
-    s->device = "cpu";
-    DEM_TRY(dem_dict_has(scene, "device") ? dem_dict_text(scene, "device", &s->device) : DEM_OK);
+    DEM_TRY(read_device(s, scene));
     DEM_TRY(dem_averages_io_read(scene, &s->average, &s->averages));
     DEM_TRY(read_bonds(s, scene, r));
     DEM_TRY(dem_dict_sub_if(scene, "start", &start));

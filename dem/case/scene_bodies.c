@@ -170,7 +170,7 @@ static void print_axes(const double (*axis)[3], int axes, char *text, size_t siz
 static int check_start(const struct dem_dict *dict, const struct dem_wall *of, const char *name, const char *unit,
                        const double v[3], const double (*axis)[3], int axes)
 {
-    static const double rounded = 1e-3;    /* of a direction that was printed with three digits */
+    static const double rounded = 1e-3;    /* of a direction printed with three decimals: at most sqrt(3)*5e-4 */
     const int spins = strcmp(name, "spin") == 0;
     double along[3] = {0.0, 0.0, 0.0}, across[3];
     char text[128];

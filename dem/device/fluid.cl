@@ -167,7 +167,7 @@ static void dem_fluid_kick(global double *restrict columns, uint n, uint i, doub
 }
 
 /* A law acts on the grains of a parcel of this ratio: their sizes, and its results from zero
-   (step/parcel_forces.c). */
+   (step/parcel_forces.c). A law adds to its first scalar only, as in program_scalars.c. */
 static void dem_to_grains(double ratio, struct dem_body_row *r)
 {
     const double per_length = 1.0/ratio, per_grain = per_length*per_length*per_length;

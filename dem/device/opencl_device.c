@@ -221,7 +221,7 @@ int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
 
 void dem_opencl_close(struct dem_opencl *cl)
 {
-    if (cl && cl->queue)
+    if (cl)
     {
         dem_opencl_end_times(cl);
     }

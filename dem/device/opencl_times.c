@@ -33,13 +33,29 @@ struct dem_opencl_times
     cl_event event[PENDING];
     int kind_of[PENDING];
     struct kind kind[KINDS];
+    struct dem_file file;
 };
 
 int dem_opencl_begin_times(struct dem_opencl *cl)
 {
-    return getenv("SUNA_OPENCL_TIMES") ? DEM_NEW(cl->times, 1) : DEM_OK;
+    const char *const path = getenv("SUNA_OPENCL_TIMES");
+
+    if (!path)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(cl->times, 1));
+    const int status = dem_file_begin(&cl->times->file, path);
+
+    if (status)
+    {
+        dem_memory_free(cl->times);
+        cl->times = NULL;
+    }
+    return status;
 }
 
+/* KINDS: there are too many, and this one is not timed. */
 static int find_kind(struct dem_opencl_times *t, const char *name)
 {
     int k = 0;
@@ -48,11 +64,11 @@ static int find_kind(struct dem_opencl_times *t, const char *name)
     {
         k++;
     }
-    if (k == t->kinds && t->kinds < KINDS)
+    if (k == t->kinds && k < KINDS)
     {
         t->kind[t->kinds++].name = name;
     }
-    return k < KINDS ? k : KINDS - 1;
+    return k;
 }
 
 static void collect(struct dem_opencl *cl, struct dem_opencl_times *t)
@@ -82,8 +98,9 @@ static void collect(struct dem_opencl *cl, struct dem_opencl_times *t)
 cl_event *dem_opencl_time(struct dem_opencl *cl, const char *name)
 {
     struct dem_opencl_times *const t = cl->times;
+    const int kind = t ? find_kind(t, name) : KINDS;
 
-    if (!t)
+    if (kind == KINDS)
     {
         return NULL;
     }
@@ -91,36 +108,34 @@ cl_event *dem_opencl_time(struct dem_opencl *cl, const char *name)
     {
         collect(cl, t);
     }
-    t->kind_of[t->pending] = find_kind(t, name);
+    t->kind_of[t->pending] = kind;
     return &t->event[t->pending++];
 }
 
-static void write_table(const struct dem_opencl_times *t, const char *path)
+static void write_table(struct dem_opencl_times *t)
 {
-    struct dem_file f;
-
-    if (!path || dem_file_begin(&f, path) != DEM_OK)
-    {
-        return;
-    }
-    fprintf(f.stream, "command,number,time[s]\r\n");
+    fprintf(t->file.stream, "command,number,time[s]\r\n");
     for (int k = 0; k < t->kinds; k++)
     {
-        fprintf(f.stream, "%s,%ld,%.9g\r\n", t->kind[k].name, t->kind[k].commands,
+        fprintf(t->file.stream, "%s,%ld,%.9g\r\n", t->kind[k].name, t->kind[k].commands,
                 t->kind[k].seconds);
     }
-    (void)dem_file_finish(&f, DEM_OK);
+    (void)dem_file_finish(&t->file, DEM_OK);
 }
 
 void dem_opencl_end_times(struct dem_opencl *cl)
 {
-    if (cl->times)
+    if (!cl->times)
+    {
+        return;
+    }
+    if (cl->queue)
     {
         collect(cl, cl->times);
-        write_table(cl->times, getenv("SUNA_OPENCL_TIMES"));
-        dem_memory_free(cl->times);
-        cl->times = NULL;
     }
+    write_table(cl->times);
+    dem_memory_free(cl->times);
+    cl->times = NULL;
 }
 
 #endif

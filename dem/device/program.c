@@ -59,7 +59,9 @@ static const struct dem_device_text *law_text(const struct dem_effect *e)
 
 const char *dem_device_effect_refusal(const struct dem_effect *e)
 {
-    return law_text(e) || e->eddies ? NULL : "has no text for devices";
+    return e->needs & DEM_NEEDS_DISSIPATION ? "needs an energy balance"
+           : law_text(e) || e->eddies       ? NULL
+                                            : "has no text for devices";
 }
 
 /* The settings of an effect: settings_<class>_<k>, a constant of the program. */
@@ -105,10 +107,9 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
                      const char *function, const char *history)
 {
     const char *const law = law_name(e->effect);
-    const int grains = e->grains && !*history;
 
     dem_device_scalars_before(c->out, e, *history);
-    dem_text_add(c->out, grains ? "    parcel = *r;\n    dem_to_grains(PARCEL_RATIO, r);\n" : "");
+    dem_text_add(c->out, e->grains ? "    parcel = *r;\n    dem_to_grains(PARCEL_RATIO, r);\n" : "");
     if (e->effect->size > 0)
     {
         dem_text_add(c->out,
@@ -122,7 +123,7 @@ static void add_call(struct composer *c, const char *class, int k, const struct 
     {
         dem_text_add(c->out, "    dem_%s_%s(0, r%s);\n", law, function, history);
     }
-    dem_text_add(c->out, grains ? "    dem_to_parcel(PARCEL_RATIO, &parcel, r);\n" : "");
+    dem_text_add(c->out, e->grains ? "    dem_to_parcel(PARCEL_RATIO, &parcel, r);\n" : "");
     dem_device_scalars_after(c->out, e, *history);
 }
 

@@ -59,19 +59,13 @@ static int refuse_walls(const struct dem_walls *walls, char *why, size_t size)
     return 0;
 }
 
-static const char *energy_reason(const struct dem_state *state)
-{
-    return state->energy_balance->heat >= 0 ? "effect frictionHeat needs an energy balance"
-                                            : "there is an energy balance (write/energy)";
-}
-
 /* What else of the run a device cannot do. */
 static const char *run_reason(const struct dem_state *state)
 {
     const struct dem_particles *const p = &state->particles;
 
     return p->batch.n > 1                          ? "the fluid has scalars besides the viscosity"
-           : state->energy_balance->open           ? energy_reason(state)
+           : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
            : state->cell.active                    ? "the cell deforms (domain/cell)"
            : state->walls.passing > 0              ? "walls come or go (from, until)"

@@ -67,12 +67,12 @@ static size_t find_inside(const struct dem_entry *e, const char *word)
     return e->count;
 }
 
-/* The name read here for which the entry e has the word of another code, or null. */
+/* The name read here of which the unread entry e is another code's word, or NULL. */
 static const char *meant_by(const struct dem_entry *e)
 {
     const struct dem_dict_known_names *const q = e->parent->known_names;
 
-    for (size_t k = 0; !e->used && k < q->count; k++)
+    for (size_t k = 0; k < q->count; k++)
     {
         if (dem_alias_note(e->name, q->names[k]))
         {
@@ -98,14 +98,13 @@ static void explain_absence(const struct dem_dict *d, const char *name, char *hi
     for (size_t i = 0; i < d->count; i++)
     {
         const struct dem_entry *const e = d->entries[i];
-        const char *const meant = misspelt ? NULL : meant_by(e);
+        const char *const meant = misspelt || e->used ? NULL : meant_by(e);
         const size_t at = find_inside(e, name);
 
         if (meant)
         {
             snprintf(hint, size, "; is \"%.60s\" in line %d meant to be %.60s?", e->name, e->line, meant);
         }
-
         if (at < e->count)
         {
             snprintf(hint, size,

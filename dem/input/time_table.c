@@ -15,7 +15,7 @@
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-/* Times and values lie below it. */
+/* Times and values lie below it; more is a mistake. */
 static const double limit = 1e15;
 
 /* The time is the last of the names. */
@@ -124,7 +124,8 @@ int dem_time_table_read(struct dem_time_table **made, const char *file, const ch
     }
     fenv_t traps;
 
-    feholdexcept(&traps);    /* rows may be so close that a slope is infinite: told by the limits of speed */
+    /* rows so close that a slope is infinite end in the message about the wall's speed, not in a signal */
+    feholdexcept(&traps);
     find_slopes(t);
     fesetenv(&traps);
     *made = t;

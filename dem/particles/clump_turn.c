@@ -2,7 +2,7 @@
  * clump_turn.c -- free rotation of rigid bodies, several at a time (formulas and source: clump.h).
  *
  * Each rotation waits for the one before it, so the bodies of a batch turn side by side in the lanes of
- * vector registers. Each lane has the arithmetic, and the bits, of a body alone.
+ * vector registers: the formulas of clump.c stand here again, as loops over lanes. Each lane has the arithmetic, and the bits, of a body alone.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

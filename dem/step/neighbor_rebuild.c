@@ -191,9 +191,10 @@ static int insert_arrivals(struct dem_state *state)
 
     int status = dem_flows_insert(state);
 
-    status = status || !state->clumps.flow
-                 ? status
-                 : dem_clump_flow_reserve(state->clumps.flow, state->particles.n);
+    if (!status && state->clumps.flow)
+    {
+        status = dem_clump_flow_reserve(state->clumps.flow, state->particles.n);
+    }
 
     dem_interaction_table_gravity(&state->interaction_table, gravity);
 

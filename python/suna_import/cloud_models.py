@@ -27,11 +27,12 @@ FORCES = {
     "virtualMass": ("virtualMass {}", None),
     "SaffmanMeiLiftForce": ("saffmanMei {}", None),
 }
+SPHERES = "translated clouds have spheres; for clumps write shapes and hoelzerSommerfeld in constant/demProperties"
 REFUSED_FORCES = {
     "PlessisMasliyahDrag": "Suna has gidaspow, diFelice, kochHill, beetstra for the same range; "
                            "name ErgunWenYuDrag here to get gidaspow",
-    "nonSphereDrag": "translated clouds have spheres; for clumps write shapes and hoelzerSommerfeld in constant/demProperties",
-    "distortedSphereDrag": "translated clouds have spheres; for clumps write shapes and hoelzerSommerfeld in constant/demProperties",
+    "nonSphereDrag": SPHERES,
+    "distortedSphereDrag": SPHERES,
     "SRF": "particles of Suna have absolute velocities",
     "nonInertialFrame": "particles of Suna have absolute velocities",
     "paramagnetic": "Suna has no magnetic force",

@@ -107,13 +107,9 @@ static void checkControls(const fvMesh& mesh, const word& alpha)
 }
 
 
-static scalar extremeSigma(const fvMesh& mesh, const bool largest)
+static tmp<volScalarField> sigmaOf(const fvMesh& mesh)
 {
-    const surfaceTensionModel& tension =
-        mesh.lookupObject<surfaceTensionModel>(surfaceTensionModel::typeName);
-    const tmp<volScalarField> sigma(tension.sigma());
-
-    return largest ? gMax(sigma().primitiveField()) : gMin(sigma().primitiveField());
+    return mesh.lookupObject<surfaceTensionModel>(surfaceTensionModel::typeName).sigma();
 }
 
 } // End namespace Foam
@@ -172,8 +168,8 @@ void Foam::twoFluids::checkAlpha() const
             continue;
         }
         const scalarField& value = mixed ? mixed->refValue() : field;
-        const scalar low = returnReduce(min(value), minOp<scalar>());
-        const scalar high = returnReduce(max(value), maxOp<scalar>());
+        const scalar low = gMin(value);
+        const scalar high = gMax(value);
 
         if (!(low > -1e-6 && high < 1 + 1e-6))
         {
@@ -189,7 +185,7 @@ void Foam::twoFluids::checkAlpha() const
 
 void Foam::twoFluids::checkTension() const
 {
-    const scalar least = extremeSigma(rho_.mesh(), false);
+    const scalar least = gMin(sigmaOf(rho_.mesh())().primitiveField());
 
     if (!(least >= 0))
     {
@@ -253,7 +249,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::twoFluids::capillarity() const
 Foam::scalar Foam::twoFluids::capillaryStep() const
 {
     const fvMesh& mesh = rho_.mesh();
-    const scalar sigma = extremeSigma(mesh, true);
+    const scalar sigma = gMax(sigmaOf(mesh)().primitiveField());
 
     if (!(sigma > 0))
     {

@@ -28,6 +28,7 @@ sys.path.append(str(HERE.parent/"shared"))
 import results                      # noqa: E402
 
 RHO, DEPTH = 1010, 0.009            # kg/m3, m
+LENGTH, MIDDLE = 0.28, (0.008, 0.045)      # m, of the tank; the part of the column away from wall and gate
 FRONTS = {"loose": [(0.085, 0.0692), (0.64, 0.1627), (1.31, 0.1972)], "dense": []}     # s, m
 PRESSURES = {"loose": [(2, 144)], "dense": [(1.1, -126)]}  # s, Pa; the loose run ends before, only the sign counts
 
@@ -42,17 +43,18 @@ def packing(run):
     _, places, _ = results.record(run)
     d, at = diameter(run), places[0]
     top = numpy.quantile(at[:, 2], 0.98) + d/2
-    inside = (at[:, 2] > 0.25*top) & (at[:, 2] < 0.75*top) & (at[:, 0] > 0.008) & (at[:, 0] < 0.045)
-    return inside.sum()*math.pi/6*d**3/(0.5*top*0.037*DEPTH), top
+    inside = (at[:, 2] > 0.25*top) & (at[:, 2] < 0.75*top) & (at[:, 0] > MIDDLE[0]) & (at[:, 0] < MIDDLE[1])
+    return inside.sum()*math.pi/6*d**3/(0.5*top*(MIDDLE[1] - MIDDLE[0])*DEPTH), top
 
 
 def fronts(run):
     """Times and fronts [s, m]."""
     times, places, _ = results.record(run)
     d, found = diameter(run), []
-    edges = numpy.arange(0, 0.29, 2*d)
+    edges = numpy.arange(0, LENGTH + 2*d, 2*d)
     for at in places:
         count, _ = numpy.histogram(at[:, 0], edges)
+        # as if packed to 0.55, in both columns
         height = count*math.pi/6*d**3/0.55/(2*d*DEPTH)
         found.append(edges[numpy.nonzero(height > d)[0].max() + 1])
     return times, numpy.array(found)

@@ -45,6 +45,6 @@ for axis in "xyz":
 total = sum(table[f"{name}.energy"] for name in ("fluid", "particles", "height", "fluidHeight"))
 lost = total[0] - total
 claim("kinetic and potential energy of fluids and particles together do not grow (1 % of the loss)",
-      np.all(np.diff(lost) > -0.01*lost[-1]), *lost)
+      np.diff(lost).min() > -0.01*lost[-1], np.diff(lost).min(), lost[-1])
 claim("volume of the particles is kept", worst(case.log("demInterFoam"), "volume error") < 1e-12)
 finish()

@@ -1,6 +1,8 @@
 """Water enters through the floor of a vessel, and grains are inserted in the air and in the water: the volume of water
 grows by the inflow to round-off, alpha stays in [0, 1], and the grains raise the surface.
 
+Particles in the passage of an inlet displace the same volume in any order in memory: same bits with other skins.
+
 Through an open patch the other fluid enters a column of one fluid that is drawn out at the other end: cells at
 the open patch have the velocity of the drain.
 
@@ -78,4 +80,37 @@ for name, drain, entry, inside, velocity in (("air enters water", "z-", "z+", 1,
           difference(U, np.full((5, 6), velocity)) < 1e-3*abs(velocity), *U)
     low, high, volume = case.bounds().T
     claim(f"{name}: alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
+
+# ---- the order of particles in memory, which follows from neighbor lists ---------------------------------
+
+fields = {}
+for skins in ("", "neighbours { outerSkin 0.15; innerSkin 0.03; }"):
+    case = TwoFluids("skins" + skins[:2])
+    case.controls(0.03, 1e-3, precision=17)
+    case.fluids(correctors=2)
+    case.box((0.12, 0.02, 0.06), (24, 4, 12),
+             {"inlet": ("patch", "x-"), "outlet": ("patch", "x+"), "floor": ("wall", "z-"), "top": ("patch", "z+"),
+              "front": ("cyclic; neighbourPatch back", "y-"), "back": ("cyclic; neighbourPatch front", "y+")})
+    sides = "front { type cyclic; } back { type cyclic; } "
+    case.fields(("floor",),
+                more=(sides + "inlet { type fixedValue; value uniform (0.1 0 0); } "
+                      "outlet { type inletOutlet; inletValue uniform (0 0 0); value uniform (0 0 0); } "
+                      "top { type pressureInletOutletVelocity; value uniform (0 0 0); }",
+                      sides + "inlet { type fixedFluxPressure; value uniform 0; } outlet { type zeroGradient; } "
+                      "top { type totalPressure; p0 uniform 0; value uniform 0; }",
+                      sides + "inlet { type fixedValue; value uniform 1; } "
+                      '"(outlet|top)" { type inletOutlet; inletValue uniform 0; value uniform 0; }'))
+    case.alpha(lambda x: x[:, 2] < 0.03)
+    case.grains("grain { density 1500; youngsModulus 1e5; }",
+                "hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } gidaspow {} virtualMass {}",
+                """feed { type stream; patch inlet; rate 600; diameter 1.5e-3; velocity fluid; }
+                   rain { type stream; rate 300; diameter 1.5e-3; min (0.03 0 0.05); max (0.05 0.02 0.056); }
+                   bed { type random; count 250; diameter 1.5e-3; min (0.04 0 0); max (0.1 0.02 0.02); }""",
+                more="outlets { out { patch outlet; } back { patch inlet; } up { patch top; } } " + skins)
+    case.run("demInterFoam")
+    claim_ran(f"streams with {skins or 'skins by default'}: runs", case, "demInterFoam")
+    for name in ("U", "p_rgh", "transportedVoidFraction"):
+        if skins:
+            claim(f"{name}: the same bits with other skins", np.array_equal(fields[name], case.interior(name)))
+        fields[name] = case.interior(name)
 finish()

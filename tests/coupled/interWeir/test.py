@@ -1,7 +1,7 @@
 """Water with particles enters a channel, flows over a weir and leaves, with the turbulence model kEpsilon.
 
-- Upstream the head above a broad crest is 1.5 (q^2/g)^(1/3), as of critical flow on it, with the discharge q per width;
-  the water starts 10 mm above the crest.
+- The head upstream of the broad crest is 1.5 (q^2/g)^(1/3), because the flow on the crest is critical; q: discharge
+  per width; the water starts 10 mm above the crest.
 - Particles that entered are in the channel or have left over the weir; none is lost.
 - alpha stays in [0, 1] and the exchange closes.
 

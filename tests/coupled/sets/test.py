@@ -45,7 +45,7 @@ def vessel(equations):
     to round-off."""
     case = case_of("hydrostatic", "vessel", equations)
     run(case, f"set {equations}: the vessel")
-    # 1e-8 m/s: the bound of the reference case; round-off of g T is below 1e-17
+    # 1e-8 m/s: far above the round-off of g T, 1e-17, and far below a lack of buoyancy, g T = 0.5 m/s
     claim(f"set {equations}: no particle moves", largest(case.field("0.05/lagrangian/particles/U")) < 1e-8)
     claim(f"set {equations}: no fluid moves", largest(case.field("0.05/U")) < 1e-8)
     claim(f"set {equations}: volume of the particles is kept", worst(case.log(), "volume error") < 1e-12)
