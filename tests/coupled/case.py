@@ -68,6 +68,13 @@ def claim_ran(what, case, command="demPimpleFoam"):
     claim(what, re.search("^End", log, re.M), *log.splitlines()[-25:])
 
 
+def claim_runs(what, case, *command, **options):
+    """This command, demPimpleFoam if none is given, runs in the case and ends with the line End."""
+    command = command or ("demPimpleFoam",)
+    case.run(*command, **options)
+    claim_ran(what, case, command[0])
+
+
 def claim_refused(what, case, words, *command, **options):
     """The command ends with an error before its first time step and prints these words; " ... " is any text."""
     run = case.run(*command, **options)
