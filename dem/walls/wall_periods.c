@@ -94,7 +94,7 @@ static int check_primitive(const struct dem_domain *d, int axis, double radius,
 
 /* Names all periodic axes that are in the way. */
 static int refuse_free_rotation(const struct dem_domain *d, const struct dem_walls *w, const struct dem_wall *of,
-                                const struct dem_wall_turn *t)
+                                const struct dem_wall_rotation *t)
 {
     const char about = t->axis[0] != 0.0 ? 'x' : t->axis[1] != 0.0 ? 'y' : 'z';
     char rotations[] = "x y z", along[] = "x, y, z", cure[24];
@@ -133,9 +133,9 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
     {
         return DEM_OK;
     }
-    if (c && c->body && c->body->turn.axes > 0)
+    if (c && c->body && c->body->rotation.axes > 0)
     {
-        return refuse_free_rotation(d, w, of, &c->body->turn);
+        return refuse_free_rotation(d, w, of, &c->body->rotation);
     }
     dem_walls_swept_extent(w, t, axis, extent);
     for (int side = 0; side < 2; side++)
