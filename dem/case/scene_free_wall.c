@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/scene_bodies.h"
+#include "case/scene_body_entries.h"
 #include "core/did_you_mean.h"
 #include "core/error.h"
 #include "core/vec.h"

@@ -1,10 +1,10 @@
 /*
- * scene_bodies.h -- readers of the entries that walls moved by force share (scene_bodies.c, scene_free_wall.c).
+ * scene_body_entries.h -- what the readers of walls moved by force share (scene_bodies.c, scene_free_wall.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_SCENE_BODIES_H
-#define DEM_CASE_SCENE_BODIES_H
+#ifndef DEM_CASE_SCENE_BODY_ENTRIES_H
+#define DEM_CASE_SCENE_BODY_ENTRIES_H
 
 #include "case/scene_internal.h"
 
