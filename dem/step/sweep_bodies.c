@@ -31,6 +31,7 @@
 #include "core/math.h"
 #include "step/body_batch.h"
 #include "step/clump_batch.h"
+#include "step/clump_heat.h"
 #include "step/parcel_forces.h"
 #include "step/sum_contacts.h"
 #include <string.h>
@@ -303,9 +304,17 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
     struct dem_body_scalars scalars;
 
     dem_body_scalars_gather(&scalars, step, pass->particles, first, rows);
+    if (step->clumps && step->h > 0.0)
+    {
+        dem_clump_heat_begin(step->clumps, &scalars, pass->particles, first, rows);
+    }
     pass->scalars = &scalars;
     sweep_batch(pass, first, rows);
     pass->scalars = NULL;
+    if (step->clumps && step->h > 0.0)
+    {
+        dem_clump_heat_take(step->clumps, pass->sweep->clumps, &scalars, pass->particles, first, rows);
+    }
     if (step->h > 0.0)
     {
         pass->bad_scalars +=
