@@ -60,7 +60,6 @@ static int refuse_entries(const struct dem_case *c)
         {"a drag law with the mean diameter around a particle",
           (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_MEAN_DIAMETER) != 0},
         {"coupling/ownWake or coupling/lawWidth", c->own_wake},
-        {"write/energy in a fluid", d->with_fluid && c->energy},
     };
 
     for (size_t k = 0; k < sizeof entries/sizeof *entries; k++)

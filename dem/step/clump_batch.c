@@ -7,6 +7,7 @@
 #include "step/clump_batch.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "step/clump_energy.h"
 #include "step/clump_heat.h"
 
 void dem_clump_batch_begin(struct dem_clump_flow *f, struct dem_body_workspace *work,
@@ -84,6 +85,9 @@ int dem_index_clumps(struct dem_state *state)
     struct dem_clumps *const c = &state->clumps;
     int status = c->flow ? dem_clump_flow_reserve(c->flow, state->particles.n) : DEM_OK;
 
+    status = status || !c->flow || !state->energy_balance->open
+                 ? status
+                 : dem_clump_energy_reserve(c->flow, &state->interaction_table.bodies, state->particles.n);
     status = status || !c->heat ? status : DEM_GROW(c->heat->row, c->heat->capacity, state->particles.n + 1);
     return status ? status : dem_clumps_index(c, &state->particles);
 }
@@ -93,7 +97,13 @@ int dem_kick_clumps(const struct dem_state *state, struct dem_particles *p, cons
     const struct dem_clumps *const c = &state->clumps;
     double gravity[3];
 
-    if (c->flow)
+    if (c->flow && s->energy_balance)
+    {
+        dem_clump_energy_before(c, p);
+        dem_clump_flow_kick(c->flow, c, p, s->kick);
+        dem_clump_energy_after(s->energy_balance, &state->interaction_table.bodies, c, p, s->kick, s->window);
+    }
+    else if (c->flow)
     {
         dem_clump_flow_kick(c->flow, c, p, s->kick);
     }

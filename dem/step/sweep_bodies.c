@@ -31,6 +31,7 @@
 #include "core/math.h"
 #include "step/body_batch.h"
 #include "step/clump_batch.h"
+#include "step/clump_energy.h"
 #include "step/clump_heat.h"
 #include "step/parcel_forces.h"
 #include "step/sum_contacts.h"
@@ -276,6 +277,10 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
             .window = s->window};
 
         dem_energy_balance_after_kick(s->energy_balance, particles, &k);
+        if (s->clumps && s->kick > 0.0)
+        {
+            dem_clump_energy_take(s->clumps, s->energy_balance, pass->bodies, particles, first, rows);
+        }
     }
     if (pass->unobserved && s->round)
     {
