@@ -35,8 +35,7 @@ Description
 
     The mesh may move (dynamicFvMesh) without changes of topology, as in demPimpleFoam.
 
-    Not included: the sets I and III, heat, fvOptions, implicit MULES,
-    contact angles on particles.
+    Not included: the sets I and III, heat, implicit MULES, contact angles on particles.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
@@ -114,13 +113,26 @@ static void checkParticles(const demCloud& cloud)
 }
 
 
-static void checkFluid(const fv::options& options, const bool newtonian, const word& model)
+static void checkFluid(const fv::optionList& options, const bool newtonian, const word& model)
 {
-    if (options.optionList::size())
+    for (const fv::option& option : options)
     {
-        FatalErrorInFunction
-            << "fvOptions has " << options.optionList::size() << " sources, but"
-            << " demInterFoam has none: take them out" << exit(FatalError);
+        const word type(option.type());
+
+        if (type == "meanVelocityForce")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << option.name() << " of type " << type << ", one force for"
+                << " both fluids, which drives the light one away: use demPimpleFoam for one"
+                << " fluid, or tilt constant/g" << exit(FatalError);
+        }
+        if (type == "tabulatedAccelerationSource" || type == "tabulated6DoFAccelerationSource")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << option.name() << " of type " << type << ", an acceleration"
+                << " that the particles would not feel: move the mesh instead"
+                << " (constant/dynamicMeshDict)" << exit(FatalError);
+        }
     }
     if (!newtonian)
     {
@@ -223,9 +235,10 @@ int main(int argc, char *argv[])
             {
                 return vector(-gSum((mesh.V().field()*toCells(force())().primitiveField())()));
             };
-            List<fluidBudget::force> known(2);
+            List<fluidBudget::force> known(3);
             known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
             known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
+            known[2] = fluidBudget::force("sources", forceOfSources());
             // rho g z over whole cells, without the void fraction: `height` of the particles
             // subtracts the buoyancy
             cloud.budget().table().state

@@ -69,7 +69,13 @@ claim_refused("a sliding interface in a moving mesh", case, "sliding interface l
 case.remove("constant/dynamicMeshDict")
 case.box((0.01, 0.01, 0.02), (3, 3, 6), walls)
 case.dictionary("constant/fvOptions", "drive { type meanVelocityForce; selectionMode all; fields (U); Ubar (1 0 0); }")
-claim_refused("sources", case, "demInterFoam has none: take them out", "demInterFoam")
+claim_refused("a force that drives the mean velocity", case, "drive of type meanVelocityForce ... tilt constant/g",
+              "demInterFoam")
+case.dictionary("constant/fvOptions", """sway { type tabulatedAccelerationSource;
+timeDataFileName "constant/acceleration"; }""")
+case.write("constant/acceleration", "2((0 ((0 0 0) (0 0 0) (0 0 0))) (1 ((0 0 0) (0 0 0) (0 0 0))))")
+claim_refused("an acceleration that particles do not feel", case, "sway of type tabulatedAccelerationSource ... "
+              "move the mesh", "demInterFoam")
 case.remove("constant/fvOptions")
 case.copy(case/"0/alpha.water", "kept")
 case.remove("0/alpha.water")
