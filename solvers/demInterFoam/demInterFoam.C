@@ -50,7 +50,6 @@ Description
 #include "demFiles.H"
 #include "demFluid.H"
 #include "demMeshCheck.H"
-#include "demPassable.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkTimeScheme.H"
@@ -61,28 +60,13 @@ Description
 #include "faceVector.H"
 #include "potentialFlux.H"
 #include "phaseTransport.H"
+#include "slidingFlux.H"
 #include "twoFluids.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-// Refuse zones that slide: MULES limits the fluxes of the two sides one by one
-static void checkMotion(const dynamicFvMesh& mesh)
-{
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (mesh.dynamic() && demPassable::slides(patch))
-        {
-            FatalErrorInFunction
-                << "The mesh moves and has the sliding interface " << patch.name() << " ("
-                << patch.type() << "), but demInterFoam does not keep the volumes of the"
-                << " fluids across it: move the whole mesh, or deform it" << exit(FatalError);
-        }
-    }
-}
-
 
 // Refuse what the equations of two fluids do not have
 static void checkParticles(const demCloud& cloud)
@@ -165,7 +149,6 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    checkMotion(mesh);
     pimpleControl pimple(mesh);
 
     checkTimeScheme(mesh, "ddt(mass)");

@@ -71,8 +71,7 @@ positions = " ".join(vector((radius*math.sin(a), width/2, -radius*math.cos(a))) 
 case.grains("grain { density 2500; youngsModulus 1e6; }", "stokesDrag {}",
             f"plug {{ type list; diameter {d}; frozen yes; positions ({positions}); }}", "kernel linear;",
             "time { step 1e-3; }")
-case.run("demInterFoam")
-claim_ran("runs", case, "demInterFoam")
+claim_runs("runs", case, "demInterFoam")
 
 e = case.interior("voidFraction")
 claim("the plug has the void fraction 0.5 (1 %)", close(np.sort(e)[n//40], 0.5, 0.01), np.sort(e)[:5])
