@@ -210,6 +210,7 @@ struct dem_body_sweep dem_step_sweep(const struct dem_state *state, double kick,
         .clumps = state->clumps.flow,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL,
                     .contacts = &state->contacts,
+                    .clumps = state->clumps.heat,
                     .h = h,
                     .window = state->window.length}};
 }
@@ -280,7 +281,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     dem_bodies_work_until(pass, state->particles.n);
     if (state->clumps.n > 0)
     {
-        dem_kick_clumps(state, &state->particles, pass->sweep->kick);
+        pass->bad_scalars += dem_kick_clumps(state, &state->particles, pass->sweep);
     }
     dem_domain_constrain(&state->domain, &state->particles);
     state->next_drift.done = pass->unobserved && pass->sweep->round;
