@@ -50,7 +50,6 @@ Description
 #include "demFiles.H"
 #include "demFluid.H"
 #include "demMeshCheck.H"
-#include "demPassable.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkTimeScheme.H"
@@ -70,7 +69,7 @@ namespace Foam
 {
 
 // Refuse what the equations of two fluids do not have
-static void checkParticles(const demCloud& cloud, const dynamicFvMesh& mesh)
+static void checkParticles(const demCloud& cloud)
 {
     const demDict& dict = cloud.particles().dict();
 
@@ -87,19 +86,6 @@ static void checkParticles(const demCloud& cloud, const dynamicFvMesh& mesh)
             << "mixtureFlux is given in coupling of constant/" << demDict::name()
             << "; only demPimpleFoam has it: take the entry out, and give 0/U of the fluids"
             << exit(FatalError);
-    }
-    // Du/Dt of cells that rotate beside walls comes out too large by orders
-    const word accelerated(dict.effectWith(DEM_TRAIT_FLUID_ACCELERATION));
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!accelerated.empty() && mesh.dynamic() && demPassable::slides(patch))
-        {
-            FatalErrorInFunction
-                << "The mesh moves and has the sliding interface " << patch.name() << " ("
-                << patch.type() << "), where demInterFoam does not have the acceleration of the"
-                << " fluid that the effect " << accelerated << " needs: leave the effect out, or"
-                << " move the whole mesh" << exit(FatalError);
-        }
     }
     if (cloud.transfersHeat())
     {
