@@ -51,7 +51,8 @@ struct dem_clumps
     size_t n;                    /* bodies */
     size_t *start;               /* of each in the next array, and the end */
     uint32_t *member;            /* particles in the order of their ids */
-    size_t start_capacity, member_capacity;
+    double (*arm)[3];            /* m  R r_k of each, as the drift left it */
+    size_t start_capacity, member_capacity, arm_capacity;
     struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
     struct dem_clump_heat *heat; /* NULL: they have no temperature; step/clump_heat.h */
 };

@@ -58,8 +58,6 @@ struct dem_clump_flow_sums            /* over the spheres of a body */
 {
     double force[3], torque[3];       /* N, N m  F; T and all moments */
     double slip_force[3];             /* N  D */
-    double slip_torque[3];            /* N m  part of torque: moments of all d_k, and the next */
-    double spin_torque[3];            /* N m  sum t_k (o_k - w) */
     double drag, spin_drag;           /* kg/s, kg m2/s  B; of z_r */
     double z, phi, phi_spin;          /* 1 */
 };
