@@ -222,14 +222,14 @@ void dem_clump_put(const struct dem_clump *b, const struct dem_domain *d, struct
 
 /* Bodies that turn side by side: drift them, and write their places to all spheres. */
 static void drift_several(const struct dem_clumps *c, struct dem_particles *p, const struct dem_domain *d,
-                          double dt, size_t first, int n)
+                          double dt, const size_t *of, int n)
 {
     struct dem_clump *body[DEM_CLUMP_LANES] = {NULL};
     double spin[DEM_CLUMP_LANES][3], move[3];
 
     for (int m = 0; m < n; m++)
     {
-        body[m] = dem_clump_at(p, c->member[c->start[first + (size_t)m]]);
+        body[m] = dem_clump_at(p, c->member[c->start[of[m]]]);
         for (int k = 0; k < 3; k++)
         {
             body[m]->x[k] += rounded(d, k, dt*body[m]->v[k]);
@@ -238,7 +238,7 @@ static void drift_several(const struct dem_clumps *c, struct dem_particles *p, c
     dem_clump_turn_several(body, n, dt, spin);
     for (int m = 0; m < n; m++)
     {
-        for (size_t k = c->start[first + (size_t)m]; k < c->start[first + (size_t)m + 1]; k++)
+        for (size_t k = c->start[of[m]]; k < c->start[of[m] + 1]; k++)
         {
             struct dem_particle *const r = &p->record[c->member[k]];
             struct dem_clump *const to = dem_clump_at(p, c->member[k]);
@@ -259,10 +259,18 @@ static void drift_several(const struct dem_clumps *c, struct dem_particles *p, c
 void dem_clumps_drift(const struct dem_clumps *c, struct dem_particles *p,
                       const struct dem_domain *d, double dt)
 {
-    for (size_t first = 0; first < c->n; first += DEM_CLUMP_LANES)
+    size_t moving[DEM_CLUMP_LANES];
+    int n = 0;
+
+    for (size_t body = 0; body < c->n; body++)
     {
-        drift_several(c, p, d, dt, first,
-                      c->n - first < DEM_CLUMP_LANES ? (int)(c->n - first) : DEM_CLUMP_LANES);
+        moving[n] = body;
+        n += !dem_clumps_frozen(c, body, p);
+        if (n == DEM_CLUMP_LANES || (n > 0 && body + 1 == c->n))
+        {
+            drift_several(c, p, d, dt, moving, n);
+            n = 0;
+        }
     }
 }
 
@@ -340,9 +348,10 @@ void dem_clumps_kick(const struct dem_clumps *c, struct dem_particles *p, const 
     {
         struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
         double F[3] = {0.0, 0.0, 0.0}, T[3] = {0.0, 0.0, 0.0};
+        const int moves = !dem_clumps_frozen(c, body, p);
 
         dem_clump_contact_sums(c, body, p, F, T);
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; a < 3 && moves; a++)
         {
             b->v[a] += h*(F[a]/b->mass + g[a]);
             b->momentum[a] += h*T[a];

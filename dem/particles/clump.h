@@ -124,6 +124,12 @@ void dem_clumps_free(struct dem_clumps *);
 /* List the spheres of the bodies, after the order of particles has changed. */
 int dem_clumps_index(struct dem_clumps *, const struct dem_particles *);
 
+/* 1 when no force moves the body: it is frozen. */
+static inline int dem_clumps_frozen(const struct dem_clumps *c, size_t body, const struct dem_particles *p)
+{
+    return (p->record[c->member[c->start[body]]].flags & DEM_PARTICLE_FROZEN) != 0;
+}
+
 /* Position, velocity and spin of a sphere of a new body, whose centre has been wrapped. */
 void dem_clump_put(const struct dem_clump *, const struct dem_domain *, struct dem_particle *);
 

@@ -93,9 +93,10 @@ void dem_clump_flow_sum(const struct dem_clump_flow *f, const struct dem_clumps 
         s->drag += r->drag;
         s->spin_drag += r->drag*dem_vec_dot(arm, arm) + r->spin_drag;
     }
-    s->z = s->drag*h/b->mass;
+    s->moves = !dem_clumps_frozen(c, body, p);
+    s->z = s->moves ? s->drag*h/b->mass : 0.0;
     s->phi = dem_phi(s->z);
-    s->phi_spin = dem_phi(s->spin_drag*h/least);
+    s->phi_spin = s->moves ? dem_phi(s->spin_drag*h/least) : 1.0;
 }
 
 void dem_clump_flow_drag(const struct dem_clump_flow_row *r, const struct dem_clump_flow_sums *s, double h,
@@ -143,7 +144,7 @@ void dem_clump_flow_kick(const struct dem_clump_flow *f, const struct dem_clumps
         struct dem_clump_flow_sums s;
 
         dem_clump_flow_sum(f, c, body, p, h, &s);
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; a < 3 && s.moves; a++)
         {
             b->v[a] += s.phi*h/b->mass*(s.force[a] + s.slip_force[a]);
             b->momentum[a] += h*s.phi_spin*s.torque[a];

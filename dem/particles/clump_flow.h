@@ -60,6 +60,7 @@ struct dem_clump_flow_sums            /* over the spheres of a body */
     double slip_force[3];             /* N  D */
     double drag, spin_drag;           /* kg/s, kg m2/s  B; of z_r */
     double z, phi, phi_spin;          /* 1 */
+    int moves;                        /* 0: frozen, as of infinite inertia */
 };
 
 /* `areas` 1: a law takes projected areas. To be freed also after a failure. */

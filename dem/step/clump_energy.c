@@ -133,6 +133,10 @@ void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effec
     {
         struct motion m;
 
+        if (dem_clumps_frozen(c, body, p))
+        {
+            continue;
+        }
         find_motion(c, body, p, h, &m);
         for (int e = 0; e < bodies->entries; e++)
         {
