@@ -91,12 +91,16 @@ static double drift(struct dem_state *state, int last)
     dem_walls_move(&state->walls, state->time, state->dt);
     dem_walls_advance(&state->walls, state->steps - state->window.steps_before,
                       state->window.steps);
-    dem_wall_statistics_add_work(state, 0.5*state->dt, 1);
-    if (state->energy_balance->open)
+    if (!state->next_drift.counted)
+    {
+        dem_wall_statistics_add_work(state, 0.5*state->dt, 1);
+    }
+    if (state->energy_balance->open && !state->next_drift.counted)
     {
         dem_energy_balance_after_drift(state, state->dt);
-        state->energy_balance->sums_elastic = last;
     }
+    state->energy_balance->sums_elastic = last;
+    state->next_drift.counted = 0;
     return max_speed;
 }
 

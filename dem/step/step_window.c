@@ -62,6 +62,7 @@ static int make_steps(struct dem_state *state)
     int status = DEM_OK;
 
     state->window.stopped = state->window.half_step_ahead = state->next_drift.done = 0;
+    state->next_drift.counted = 0;
     for (int64_t k = state->steps - state->window.steps_before + 1;
          k <= state->window.steps && !state->window.stopped;
          k++)
