@@ -77,7 +77,7 @@ static const struct dem_effect *effect_of_column(const struct dem_interaction_ta
     return NULL;
 }
 
-/* Collective. 1 when both particles of the pair exist, frozen or driven: such pairs have no row. */
+/* Collective: pairs that have no row, though both particles exist. */
 static int neither_is_free(const struct dem_state *p, const struct listed_pair *pair)
 {
     int64_t fixed = 0;
@@ -90,6 +90,21 @@ static int neither_is_free(const struct dem_state *p, const struct listed_pair *
     }
     dem_collect_sum_int64(&p->decomposition, &fixed, 1);
     return fixed == 2;
+}
+
+static int are_of_one_clump(const struct dem_state *p, const struct listed_pair *pair)
+{
+    int64_t body[2] = {0, 0};
+
+    for (size_t i = 0; i < p->particles.n; i++)
+    {
+        const struct dem_particle *const q = &p->particles.record[i];
+
+        body[0] += q->id == pair->low ? q->body : 0;
+        body[1] += q->id == pair->high ? q->body : 0;
+    }
+    dem_collect_sum_int64(&p->decomposition, body, 2);
+    return body[0] != 0 && body[0] == body[1];
 }
 
 static int check_found(const struct dem_state *p, const struct listed_pair *list, size_t pairs,
@@ -107,6 +122,10 @@ static int check_found(const struct dem_state *p, const struct listed_pair *list
                     "bonds/pairs: particles %lld and %lld are frozen or driven, so neither is free "
                     "to move and a bond between them would do nothing; take the pair off the list, "
                     "or set one of them free", (long long)list[k].low, (long long)list[k].high);
+        DEM_REQUIRE(found[k] || duplicate || !are_of_one_clump(p, &list[k]), DEM_ERROR_INPUT,
+                    "bonds/pairs: particles %lld and %lld are spheres of one clump, which is rigid: a bond "
+                    "between them would do nothing; take the pair off the list",
+                    (long long)list[k].low, (long long)list[k].high);
         DEM_REQUIRE(found[k] || duplicate, DEM_ERROR_INPUT,
                     "bonds/pairs: particles %lld and %lld do not exist or are farther apart than "
                     "breakDistance of %s; correct the list, or raise makeDistance and "

@@ -70,7 +70,7 @@ int dem_api_check_scene(struct dem_case *);
 
 /* Refuse what does not work with rigid bodies of several spheres; once the particles are known, how far
    these reach out of subdomains (collective). */
-int dem_api_check_clumps(const struct dem_case *);
+int dem_api_check_clumps(struct dem_case *);
 int dem_api_begin_clumps(struct dem *);
 
 /* Collective. Once all radii are known: freeze the interaction table, choose the time step, finish

@@ -35,7 +35,7 @@ static int refuse_effects(const struct dem_interaction_table *r)
                     DEM_ERROR_INPUT,
                     "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
                     "form resists rolling; leave it out, or take rollingSpring", e->name);
-        DEM_REQUIRE(e->stage != DEM_STAGE_BOND && e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
+        DEM_REQUIRE(e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
                     "shapes: effects/%s cannot be used with clumps yet; leave out one of the two",
                     e->name);
     }
@@ -89,9 +89,11 @@ static int check_width(const struct dem *d, const struct dem_clump_shape *s)
     return DEM_OK;
 }
 
-int dem_api_check_clumps(const struct dem_case *c)
+int dem_api_check_clumps(struct dem_case *c)
 {
     const struct dem_clump_shapes *const s = &c->d->scene.shapes;
+
+    c->d->state.interaction_table.bond_radius = dem_clump_shapes_bond_radius(s);
 
     for (size_t k = 0; k < s->n; k++)
     {

@@ -103,6 +103,8 @@ struct dem_pair_class
     double exponent;
     double min_radius;       /* m    smallest reduced radius present */
     double min_mass;         /* kg   smallest reduced mass present, with added_density */
+    double bond_radius;      /* m, kg  the same for bonds: clumps count with the radius of the sphere that */
+    double bond_mass;        /*        bonds on all their spheres limit alike (particles/clump_shape.h) */
     double max_radius_sum;   /* m    largest R_i + R_j present; R_i at a wall */
     double fluid_density;    /* kg/m3  of the run's fluid; 0: none, or not uniform */
     /* 1: an effect that has_added_mass acts: reduced masses of contacts contain it */

@@ -85,6 +85,8 @@ struct dem_interaction_table
     double max_radius[DEM_MATERIALS];
     /* m3, of clumps of a material for the limit of the time step (particles/clump_shape.h); 0: none */
     double body_volume[DEM_MATERIALS];
+    /* m, of clumps for the limit of bonds; 0: none */
+    double bond_radius;
     /* number of effects, in the order of stages */
     int chosen;
     const struct dem_effect *effect[DEM_EFFECT_LIST_LIMIT];

@@ -41,6 +41,17 @@ static double min_mass(const struct dem_interaction_table *r, int m, double dens
     return r->body_volume[m] > 0.0 ? fmin(sphere, density*r->body_volume[m]) : sphere;
 }
 
+/* Radius [m] of the sphere that bonds limit like the particles of a material. */
+static double bond_radius(const struct dem_interaction_table *r, int m)
+{
+    return r->body_volume[m] > 0.0 ? fmin(r->min_radius[m], r->bond_radius) : r->min_radius[m];
+}
+
+static double reduced(int with_wall, double a, double b)
+{
+    return with_wall ? a : 1.0/(1.0/a + 1.0/b);
+}
+
 static struct dem_pair_class pair_class(const struct dem_interaction_table *r, int with_wall, int a,
                                         int b)
 {
@@ -72,7 +83,12 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     const double of_a = min_mass(r, a, m->density + c.added_density),
                  of_b = min_mass(r, b, o->density + c.added_density);
 
-    c.min_mass = with_wall ? of_a : 1.0/(1.0/of_a + 1.0/of_b);
+    c.min_mass = reduced(with_wall, of_a, of_b);
+    const double bond_a = bond_radius(r, a), bond_b = bond_radius(r, b);
+
+    c.bond_radius = with_wall ? bond_a : bond_a*bond_b/(bond_a + bond_b);
+    c.bond_mass = reduced(with_wall, sphere_mass(m->density + c.added_density, bond_a),
+                          sphere_mass(o->density + c.added_density, bond_b));
     return c;
 }
 

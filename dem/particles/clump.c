@@ -8,53 +8,30 @@
 #include "core/memory.h"
 #include "core/sort.h"
 #include "core/vec.h"
+#include "particles/quaternion.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- rotations ------------------------------------------------------------------------------- */
 
-/* v + 2 s q x v + 2 q x (q x v), s and q of the quaternion; `side` -1: the inverse rotation. */
-static void rotate(const double q[4], double side, const double v[3], double out[3])
-{
-    const double axis[3] = {side*q[1], side*q[2], side*q[3]};
-    double once[3], twice[3];
-
-    dem_vec_cross(axis, v, once);
-    dem_vec_cross(axis, once, twice);
-    for (int k = 0; k < 3; k++)
-    {
-        out[k] = v[k] + 2.0*(q[0]*once[k] + twice[k]);
-    }
-}
-
 void dem_clump_rotate(const double q[4], const double v[3], double out[3])
 {
-    rotate(q, 1.0, v, out);
+    dem_quaternion_rotate(q, 1.0, v, out);
 }
 
 void dem_clump_rotate_back(const double q[4], const double v[3], double out[3])
 {
-    rotate(q, -1.0, v, out);
+    dem_quaternion_rotate(q, -1.0, v, out);
 }
 
 void dem_clump_product(const double a[4], const double b[4], double out[4])
 {
-    out[0] = a[0]*b[0] - a[1]*b[1] - a[2]*b[2] - a[3]*b[3];
-    out[1] = a[0]*b[1] + a[1]*b[0] + a[2]*b[3] - a[3]*b[2];
-    out[2] = a[0]*b[2] - a[1]*b[3] + a[2]*b[0] + a[3]*b[1];
-    out[3] = a[0]*b[3] + a[1]*b[2] - a[2]*b[1] + a[3]*b[0];
+    dem_quaternion_product(a, b, out);
 }
 
 void dem_clump_spin(const struct dem_clump *b, double w[3])
 {
-    double body[3];
-
-    dem_clump_rotate_back(b->q, b->momentum, body);
-    for (int k = 0; k < 3; k++)
-    {
-        body[k] /= b->inertia[k];
-    }
-    dem_clump_rotate(b->q, body, w);
+    dem_quaternion_spin(b->q, b->inertia, b->momentum, w);
 }
 
 int dem_clump_check_spin(const struct dem_clump *b, const struct dem_particle *first, double dt,

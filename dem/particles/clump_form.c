@@ -6,7 +6,7 @@
 #include "particles/clump_form.h"
 #include "core/math.h"
 #include "core/vec.h"
-#include "particles/particles.h"
+#include "particles/chords.h"
 #include <math.h>
 #include <string.h>
 
@@ -43,31 +43,20 @@ static void across(const double n[3], double a[3], double b[3])
 /* Length of the union of the chords that the discs cut from the line at height y. */
 static double covered(size_t n, const double (*disc)[3], double y)
 {
-    double part[DEM_CLUMP_SPHERES][2], sum = 0.0, end = -INFINITY;
-    size_t parts = 0;
+    struct dem_chords chords;
+    double sum = 0.0;
 
+    chords.n = 0;
     for (size_t i = 0; i < n; i++)
     {
-        const double from = y - disc[i][1], square = disc[i][2]*disc[i][2] - from*from;
-        size_t k = parts;
+        const double from = y - disc[i][1];
 
-        if (square > 0.0)
-        {
-            const double half = sqrt(square), low = disc[i][0] - half;
-
-            for (; k > 0 && part[k - 1][0] > low; k--)
-            {
-                memcpy(part[k], part[k - 1], sizeof *part);
-            }
-            part[k][0] = low;
-            part[k][1] = disc[i][0] + half;
-            parts++;
-        }
+        dem_chords_add(&chords, disc[i][0], disc[i][2]*disc[i][2] - from*from);
     }
-    for (size_t k = 0; k < parts; k++)
+    dem_chords_unite(&chords);
+    for (int k = 0; k < chords.n; k++)
     {
-        sum += fmax(0.0, part[k][1] - fmax(part[k][0], end));
-        end = fmax(end, part[k][1]);
+        sum += chords.at[k][1] - chords.at[k][0];
     }
     return sum;
 }

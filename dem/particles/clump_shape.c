@@ -20,24 +20,33 @@
 #define CENTRE_ERROR 1e-4
 
 /* See clump_shape.h. */
-static double step_volume(const struct dem_clump_shape *s)
+static void limit_step(struct dem_clump_shape *s)
 {
-    double contacts = (double)s->n;
+    double contacts = (double)s->n, area = 0.0, most = 0.0;
 
+    for (size_t k = 0; k < s->n; k++)
+    {
+        area += s->sphere[k][3]*s->sphere[k][3];
+    }
     for (int a = 0; a < 3; a++)
     {
         const int b = (a + 1)%3, c = (a + 2)%3;
-        double squares = 0.0;
+        double squares = 0.0, offsets = 0.0, arms = 0.0;
 
         for (size_t k = 0; k < s->n; k++)
         {
-            const double *const r = s->offset[k];
+            const double *const r = s->offset[k], square = r[b]*r[b] + r[c]*r[c],
+                         of_radius = s->sphere[k][3]*s->sphere[k][3];
 
-            squares += r[b]*r[b] + r[c]*r[c];
+            squares += square;
+            offsets += of_radius*square;
+            arms += 0.4*of_radius*of_radius;
         }
         contacts = fmax(contacts, s->volume*squares/s->inertia[a]);
+        most = fmax(most, fmax(offsets, arms)/s->inertia[a]);
     }
-    return s->volume/contacts*fmin(1.0, 4.0/contacts);
+    s->step_volume = s->volume/contacts*fmin(1.0, 4.0/contacts);
+    s->bond_radius = 0.75/(3.14159265358979323846*fmax(area/s->volume, most))*fmin(1.0, 4.0/contacts);
 }
 
 /* One axis: make the shares' centre 0 along it, with factors 1 + t (x - centre) of at least 1/10. */
@@ -151,7 +160,7 @@ static int finish(struct dem_clump_shape *s, const struct dem_union_moments *m)
         s->bound = fmax(s->bound, dem_vec_norm(d) + s->sphere[k][3]);
         s->solid += dem_sphere_volume(s->sphere[k][3]);
     }
-    s->step_volume = step_volume(s);
+    limit_step(s);
     return find_shares(s);
 }
 
@@ -252,4 +261,15 @@ const struct dem_clump_shape *dem_clump_shapes_with_volume(const struct dem_clum
         }
     }
     return found;
+}
+
+double dem_clump_shapes_bond_radius(const struct dem_clump_shapes *all)
+{
+    double least = 0.0;
+
+    for (size_t k = 0; k < all->n; k++)
+    {
+        least = k == 0 ? all->shape[k].bond_radius : fmin(least, all->shape[k].bond_radius);
+    }
+    return least;
 }

@@ -21,6 +21,15 @@
  * step_volume is the smaller of the two over the density; where it is larger than the smallest
  * sphere, that sphere sets the step.
  *
+ * Limit of the step by bonds. Bonds on all spheres have areas pi r_k^2 and act r_k off the centres. With
+ * the volume V and moments I_a over the density, the rates of translation, of rotation by the offsets and
+ * of rotation by these arms, by twist and by bending are proportional to
+ *
+ *   max(sum pi r_k^2/V, sum pi r_k^2 rho_k^2/I_a, 2/5 sum pi r_k^4/I_a) = 3/(4 r)
+ *
+ * where r is the radius of the sphere with the same value. bond_radius is r min(1, 4/N), for the
+ * dashpots.
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef DEM_PARTICLES_CLUMP_SHAPE_H
@@ -40,7 +49,7 @@ struct dem_clump_shape
     double inertia[3];                /* m5  principal moments over the density */
     double principal[4];              /* quaternion from the principal axes to the scene's */
     double solid;                     /* m3  sum of the volumes of the spheres */
-    double step_volume;               /* m3  for the limit of the time step, see above */
+    double step_volume, bond_radius;  /* m3, m  for limits of the time step, see above */
     double bound, reach;              /* m  radius of the sphere around the centre that holds the
                                          body; largest offset */
 };
@@ -62,5 +71,8 @@ int dem_clump_shapes_find(const struct dem_clump_shapes *, const char *name, con
 /* The shape of this volume [m3], of several the one with the smallest step_volume; NULL: none. */
 const struct dem_clump_shape *dem_clump_shapes_with_volume(const struct dem_clump_shapes *,
                                                            double volume);
+
+/* The smallest bond_radius [m] of all shapes; 0: there is none. */
+double dem_clump_shapes_bond_radius(const struct dem_clump_shapes *);
 
 #endif

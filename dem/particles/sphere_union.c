@@ -5,7 +5,7 @@
  */
 #include "particles/sphere_union.h"
 #include "core/vec.h"
-#include "particles/particles.h"
+#include "particles/chords.h"
 #include <math.h>
 #include <string.h>
 
@@ -75,42 +75,24 @@ static void add_part(struct dem_union_moments *m, const double at[2], double are
     m->second[2][2] += V*(z[1] - z[0])*(z[1] - z[0])/12.0;
 }
 
-/* The parts of a column inside the spheres, sorted and merged. */
+/* The parts of a column inside the spheres. */
 static void add_column(const struct spheres *s, struct dem_union_moments *m, const double at[2],
                        double area)
 {
-    double part[DEM_CLUMP_SPHERES][2];
-    size_t n = 0;
+    struct dem_chords chords;
 
+    chords.n = 0;
     for (size_t i = 0; i < s->n; i++)
     {
         const double *const c = s->at[i];
         const double x = at[0] - (c[0] - m->origin[0]), y = at[1] - (c[1] - m->origin[1]);
-        const double square = c[3]*c[3] - x*x - y*y;
-        size_t k = n;
 
-        if (square > 0.0)
-        {
-            const double z = c[2] - m->origin[2], half = sqrt(square);
-
-            for (; k > 0 && part[k - 1][0] > z - half; k--)
-            {
-                memcpy(part[k], part[k - 1], sizeof *part);
-            }
-            part[k][0] = z - half;
-            part[k][1] = z + half;
-            n++;
-        }
+        dem_chords_add(&chords, c[2] - m->origin[2], c[3]*c[3] - x*x - y*y);
     }
-    for (size_t k = 0; k < n; k++)
+    dem_chords_unite(&chords);
+    for (int k = 0; k < chords.n; k++)
     {
-        while (k + 1 < n && part[k + 1][0] <= part[k][1])
-        {
-            part[k + 1][0] = part[k][0];
-            part[k + 1][1] = fmax(part[k][1], part[k + 1][1]);
-            k++;
-        }
-        add_part(m, at, area, part[k]);
+        add_part(m, at, area, chords.at[k]);
     }
 }
 

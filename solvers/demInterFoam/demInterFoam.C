@@ -35,8 +35,7 @@ Description
 
     The mesh may move (dynamicFvMesh) without changes of topology, as in demPimpleFoam.
 
-    Not included: the sets I and III, heat, fvOptions, implicit MULES,
-    contact angles on particles.
+    Not included: the sets I and III, heat, implicit MULES, contact angles on particles.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
@@ -51,7 +50,6 @@ Description
 #include "demFiles.H"
 #include "demFluid.H"
 #include "demMeshCheck.H"
-#include "demPassable.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkTimeScheme.H"
@@ -62,28 +60,13 @@ Description
 #include "faceVector.H"
 #include "potentialFlux.H"
 #include "phaseTransport.H"
+#include "slidingFlux.H"
 #include "twoFluids.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-// Refuse zones that slide: MULES limits the fluxes of the two sides one by one
-static void checkMotion(const dynamicFvMesh& mesh)
-{
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (mesh.dynamic() && demPassable::slides(patch))
-        {
-            FatalErrorInFunction
-                << "The mesh moves and has the sliding interface " << patch.name() << " ("
-                << patch.type() << "), but demInterFoam does not keep the volumes of the"
-                << " fluids across it: move the whole mesh, or deform it" << exit(FatalError);
-        }
-    }
-}
-
 
 // Refuse what the equations of two fluids do not have
 static void checkParticles(const demCloud& cloud)
@@ -114,13 +97,26 @@ static void checkParticles(const demCloud& cloud)
 }
 
 
-static void checkFluid(const fv::options& options, const bool newtonian, const word& model)
+static void checkFluid(const fv::optionList& options, const bool newtonian, const word& model)
 {
-    if (options.optionList::size())
+    for (const fv::option& option : options)
     {
-        FatalErrorInFunction
-            << "fvOptions has " << options.optionList::size() << " sources, but"
-            << " demInterFoam has none: take them out" << exit(FatalError);
+        const word type(option.type());
+
+        if (type == "meanVelocityForce")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << option.name() << " of type " << type << ", one force for"
+                << " both fluids, which drives the light one away: use demPimpleFoam for one"
+                << " fluid, or tilt constant/g" << exit(FatalError);
+        }
+        if (type == "tabulatedAccelerationSource" || type == "tabulated6DoFAccelerationSource")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << option.name() << " of type " << type << ", an acceleration"
+                << " that the particles would not feel: move the mesh instead"
+                << " (constant/dynamicMeshDict)" << exit(FatalError);
+        }
     }
     if (!newtonian)
     {
@@ -153,7 +149,6 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    checkMotion(mesh);
     pimpleControl pimple(mesh);
 
     checkTimeScheme(mesh, "ddt(mass)");
@@ -223,9 +218,10 @@ int main(int argc, char *argv[])
             {
                 return vector(-gSum((mesh.V().field()*toCells(force())().primitiveField())()));
             };
-            List<fluidBudget::force> known(2);
+            List<fluidBudget::force> known(3);
             known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
             known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
+            known[2] = fluidBudget::force("sources", forceOfSources());
             // rho g z over whole cells, without the void fraction: `height` of the particles
             // subtracts the buoyancy
             cloud.budget().table().state

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "phaseTransport.H"
+#include "slidingFlux.H"
 #include "demFiles.H"
 #include "fvcAverage.H"
 #include "fvcDiv.H"
@@ -80,12 +81,16 @@ void Foam::phaseTransport::subCycle
     const subCycleWeight rho(weight, before);
     surfaceScalarField limited(unlimitedFlux());
 
+    // MULES knows the fluxes of either side of a sliding interface only, so the difference
+    // from the flux that both agree on is a source for its limits
+    const tmp<volScalarField::Internal> gain(slidingFlux::setOneSided(limited, flux_, alpha_));
+
     alpha_.oldTime().primitiveFieldRef() = alpha_.primitiveField();
     MULES::limit
     (
-        rDeltaT, rho, alpha_, flux_, limited, zeroField(), zeroField(), oneField(), zeroField(),
-        false
+        rDeltaT, rho, alpha_, flux_, limited, zeroField(), gain(), oneField(), zeroField(), false
     );
+    slidingFlux::setUpwind(limited, flux_, alpha_);
     MULES::explicitSolve(rDeltaT, rho, alpha_, limited, zeroField(), zeroField());
     interface_.correct();
 

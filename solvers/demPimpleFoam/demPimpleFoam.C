@@ -136,11 +136,10 @@ int main(int argc, char *argv[])
         }
         if (cloud.budget().table().on())
         {
-            List<fluidBudget::force> known(1, fluidBudget::force("sources", vector::zero));
-            if (sourceS)
-            {
-                known[0].second() = gSum((mesh.V()*(sourceS() - sourceR()*U)().primitiveField())());
-            }
+            const List<fluidBudget::force> known
+            (
+                1, fluidBudget::force("sources", forceOfSources())
+            );
             #include "endBudget.H"
         }
         run.endStep(cloud);

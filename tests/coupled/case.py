@@ -7,8 +7,7 @@ A test is tests/coupled/NAME/test.py. It prints TAP; ./run runs all of them, `./
     case = Case()                        # shared/ and the test's folder, copied into a folder of its own
     case.edit("system/controlDict", endTime=0.002)
     case.run("blockMesh")
-    case.run("demPimpleFoam", ranks=2)
-    claim_ran("runs", case)
+    claim_runs("runs", case, "demPimpleFoam", ranks=2)
     claim("exchange closes", worst(case.log("demPimpleFoam"), "exchange error") < 1e-12)
     U = case.field("0.04/U.particles")   # one row a cell
     finish()
@@ -41,10 +40,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import tap
 from tap import claim, finish, skip
 
-__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_refused", "claim_tables", "close",
-           "difference", "finish", "function_object", "head", "here", "largest", "math", "np", "os", "re",
-           "read_field", "shutil", "signal", "skip", "snapshot_hash", "subprocess", "sys", "thorough", "time",
-           "until", "vector", "work", "worst"]
+__all__ = ["Case", "Path", "Run", "agrees", "brief", "claim", "claim_ran", "claim_runs", "claim_refused",
+           "claim_tables", "close", "difference", "finish", "function_object", "head", "here", "largest", "math", "np",
+           "os", "re", "read_field", "shutil", "signal", "skip", "snapshot_hash", "subprocess", "sys", "thorough",
+           "time", "until", "vector", "work", "worst"]
 
 here = Path(sys.argv[0]).resolve().parent             # the folder of the test
 coupled = Path(__file__).resolve().parent
@@ -66,6 +65,13 @@ def claim_ran(what, case, command="demPimpleFoam"):
     """The last run of this command in the case has ended with the line End; else show the end of its log."""
     log = case.log(command)
     claim(what, re.search("^End", log, re.M), *log.splitlines()[-25:])
+
+
+def claim_runs(what, case, *command, **options):
+    """This command, demPimpleFoam if none is given, runs in the case and ends with the line End."""
+    command = command or ("demPimpleFoam",)
+    case.run(*command, **options)
+    claim_ran(what, case, command[0])
 
 
 def claim_refused(what, case, words, *command, **options):

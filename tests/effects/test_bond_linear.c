@@ -3,7 +3,7 @@
  *
  * - In tension, shear, twist and bending it breaks where the stress of a beam of circular section,
  *   k_n elongation, k_t slip, k_t twist r_b and k_n bending r_b, reaches the strength, also with
- *   strengthRatio and with compression and internalFriction; 1e-6 before it holds.
+ *   strengthRatio, absNormal, breakDistance and internalFriction; 1e-6 before it holds.
  * - Until then its forces and moments are k_n A, k_t A, k_t pi r_b^4/2 and k_n pi r_b^4/4 times
  *   the deformation, and their energy is stored.
  *
@@ -106,7 +106,31 @@ static void strengths(void)
            1.3*strength/kt, 0.0, 0.0);
     values[3] = 0.0;
     prepare(names, values, 7);
+    breaks("tension, no shear strength left", strength/0.6/kn, 0.0, 0.0, 0.0);
+    breaks("shear under tension", 0.5*strength/kn, 0.7*strength/kt, 0.0, 0.0);
+    values[6] = 0.0;
+    prepare(names, values, 7);
     breaks("shear, no normalStrength", 0.0, strength/kt, 0.0, 0.0);
+}
+
+static void other_limits(void)
+{
+    const char *names[] = {"normalStiffness", "shearStiffness", "radius", "normalStrength"};
+    const double values[] = {kn, kt, lambda, strength}, far = 2.0*R*(1.01 - 1.0), distance = 1.01;
+
+    prepare(names, values, 4);
+    deform(-2.0*strength/kn, 0.0, 0.0, 0.0);
+    TAP_OK(w.b.bonds[0] == 1.0, "compression does not break a bond");
+    dem_settings_set_word(dem_bond_linear.settings, settings, "bondLinear", "absNormal", "yes");
+    TAP_OK(dem_bond_linear.prepare(settings, &w.pair) == DEM_OK, "absNormal");
+    deform(-(1.0 - 1e-6)*strength/kn, 0.0, 0.0, 0.0);
+    TAP_OK(w.b.bonds[0] == 1.0, "compression with absNormal: holds 1e-6 before");
+    deform(-(1.0 + 1e-6)*strength/kn, 0.0, 0.0, 0.0);
+    TAP_OK(w.b.broke[0] == 1.0, "compression with absNormal: broken 1e-6 beyond");
+    prepare(names, values, 3);
+    dem_settings_set_number(dem_bond_linear.settings, settings, "bondLinear", "breakDistance", &distance, 1);
+    TAP_OK(dem_bond_linear.prepare(settings, &w.pair) == DEM_OK, "breakDistance");
+    breaks("distance", far, 0.0, 0.0, 0.0);
 }
 
 static void forces(void)
@@ -185,6 +209,7 @@ int main(void)
 {
     TAP_TRAPS;
     strengths();
+    other_limits();
     forces();
     drawn_again();
     TAP_DONE;

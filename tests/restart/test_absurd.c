@@ -145,76 +145,59 @@ static void whole(const char *what, size_t at, int64_t value, const char *words)
     corrupt(what, at, &value, 1, words);
 }
 
+/* offsets of a member of particle k's record, of a member of the header */
+#define IN(k, member) of_particle(k, offsetof(struct dem_particle, member))
+#define HEAD(member) offsetof(struct dem_snapshot_header, member)
+
 static void particles(void)
 {
-    const size_t x = offsetof(struct dem_particle, x), v = offsetof(struct dem_particle, v),
-                 w = offsetof(struct dem_particle, w);
     const size_t force = sizeof(struct dem_particle);     /* the first column */
 
-    number("a position that is not a number", of_particle(1, x + 8), NAN,
+    number("a position that is not a number", IN(1, x) + 8, NAN,
            "particle 1 has distance [m] from the origin nan");
-    number("an infinite position", of_particle(0, x), -INFINITY,
-           "particle 0 has distance [m] from the origin inf");
-    number("a position too far to resolve overlaps", of_particle(1, x), 1e30,
+    number("an infinite position", IN(0, x), -INFINITY, "particle 0 has distance [m] from the origin inf");
+    number("a position too far to resolve overlaps", IN(1, x), 1e30,
            "particle 1 has distance [m] from the origin 1e+30");
-    number("a velocity that is not a number", of_particle(0, v), NAN,
-           "particle 0 has speed [m/s] nan");
-    number("an infinite velocity", of_particle(0, v + 16), INFINITY,
-           "particle 0 has speed [m/s] inf");
-    number("1e30 m/s", of_particle(1, v), 1e30, "particle 1 has speed [m/s] 1e+30");
-    number("1e200 m/s, whose square is infinite", of_particle(1, v), 1e200,
-           "particle 1 has speed [m/s] inf");
-    number("a spin that is not a number", of_particle(1, w), NAN,
-           "particle 1 has speed [m/s] of its surface nan");
-    number("a surface faster than light", of_particle(1, w), 1e12,
+    number("a velocity that is not a number", IN(0, v), NAN, "particle 0 has speed [m/s] nan");
+    number("an infinite velocity", IN(0, v) + 16, INFINITY, "particle 0 has speed [m/s] inf");
+    number("1e30 m/s", IN(1, v), 1e30, "particle 1 has speed [m/s] 1e+30");
+    number("1e200 m/s, whose square is infinite", IN(1, v), 1e200, "particle 1 has speed [m/s] inf");
+    number("a spin that is not a number", IN(1, w), NAN, "particle 1 has speed [m/s] of its surface nan");
+    number("a surface faster than light", IN(1, w), 1e12,
            "particle 1 has speed [m/s] of its surface 5e+08");
-    number("a radius that is not a number", of_particle(0, offsetof(struct dem_particle, radius)),
-           NAN, "particle 0 has radius [m] nan");
-    number("a mass that is not a number", of_particle(0, offsetof(struct dem_particle, mass)), NAN,
-           "particle 0 has mass [kg] nan");
-    number("an infinite inverse of the mass",
-           of_particle(0, offsetof(struct dem_particle, inverse_mass)), INFINITY,
+    number("a radius that is not a number", IN(0, radius), NAN, "particle 0 has radius [m] nan");
+    number("a mass that is not a number", IN(0, mass), NAN, "particle 0 has mass [kg] nan");
+    number("an infinite inverse of the mass", IN(0, inverse_mass), INFINITY,
            "particle 0 has inverse mass [1/kg] inf");
-    number("inverse mass 0 of a free particle",
-           of_particle(0, offsetof(struct dem_particle, inverse_mass)), 0.0,
+    number("inverse mass 0 of a free particle", IN(0, inverse_mass), 0.0,
            "particle 0 has inverse mass [1/kg] 0");
-    number("a negative inverse mass", of_particle(0, offsetof(struct dem_particle, inverse_mass)),
-           -1.0, "particle 0 has inverse mass [1/kg] -1");
-    number("another moment of inertia",
-           of_particle(1, offsetof(struct dem_particle, inverse_inertia)), 1.0,
+    number("a negative inverse mass", IN(0, inverse_mass), -1.0, "particle 0 has inverse mass [1/kg] -1");
+    number("another moment of inertia", IN(1, inverse_inertia), 1.0,
            "particle 1 has inverse moment of inertia [1/(kg m2)] 1");
-    whole("a clump whose first id is below 0", of_particle(1, offsetof(struct dem_particle, body)), -1,
+    whole("a clump whose first id is below 0", IN(1, body), -1,
           "particle 1 has the first id of its clump -1");
-    whole("a clump that begins behind its sphere", of_particle(1, offsetof(struct dem_particle, body)), 3,
+    whole("a clump that begins behind its sphere", IN(1, body), 3,
           "particle 1 has the first id of its clump 3");
-    number("a force that is not a number", of_particle(1, force), NAN,
-           "particle 1 has force nan");
-    number("an infinite torque", of_particle(1, force + 3*8), INFINITY,
-           "particle 1 has torque inf");
-    whole("an id below 0", of_particle(0, offsetof(struct dem_particle, id)), -1,
-          "has id -1");
-    whole("an id after which there is no other", of_particle(0, offsetof(struct dem_particle, id)),
-          INT64_MAX, "has id 9.22337e+18");
+    number("a force that is not a number", of_particle(1, force), NAN, "particle 1 has force nan");
+    number("an infinite torque", of_particle(1, force + 3*8), INFINITY, "particle 1 has torque inf");
+    whole("an id below 0", IN(0, id), -1, "has id -1");
+    whole("an id after which there is no other", IN(0, id), INT64_MAX, "has id 9.22337e+18");
     int64_t flags;
 
-    memcpy(&flags, good + of_particle(0, offsetof(struct dem_particle, material)), sizeof flags);
-    whole("unknown flags", of_particle(0, offsetof(struct dem_particle, material)),
-          flags | 4 << 16, "particle 0 has flags 4");
-    whole("driven, but not frozen", of_particle(0, offsetof(struct dem_particle, material)),
-          flags | 2 << 16, "particle 0 has flags 2");
-    whole("frozen, with inertia", of_particle(0, offsetof(struct dem_particle, material)),
-          flags | 1 << 16, "particle 0 has inverse mass [1/kg]");
+    memcpy(&flags, good + IN(0, material), sizeof flags);
+    whole("unknown flags", IN(0, material), flags | 4 << 16, "particle 0 has flags 4");
+    whole("driven, but not frozen", IN(0, material), flags | 2 << 16, "particle 0 has flags 2");
+    whole("frozen, with inertia", IN(0, material), flags | 1 << 16, "particle 0 has inverse mass [1/kg]");
     const int64_t twin = 1;
 
-    corrupt("a repeated id", of_particle(0, offsetof(struct dem_particle, id)), &twin, 0,
-          "two of its particles have id 1");
+    corrupt("a repeated id", IN(0, id), &twin, 0, "two of its particles have id 1");
 }
 
 static void other_contents(void)
 {
     const struct dem_snapshot_header h = head();
-    const size_t window = offsetof(struct dem_snapshot_header, window),
-                 flow = offsetof(struct dem_snapshot_header, flow);
+    const size_t window = HEAD(window),
+                 flow = HEAD(flow);
     int64_t name;
 
     TAP_OK(h.rows >= 2 && h.memories >= 3 && h.flows >= 1 && h.caller_data > MEANS,
@@ -223,15 +206,14 @@ static void other_contents(void)
            "history shear_x nan");
     number("an infinite history value", of_row(1, sizeof(struct dem_contact_key) + 8), -INFINITY,
            "history shear_y -inf");
-    whole("more steps than can be counted", offsetof(struct dem_snapshot_header, steps), INT64_MAX,
-          "9223372036854775807 steps");
+    whole("more steps than can be counted", HEAD(steps), INT64_MAX, "9223372036854775807 steps");
     whole("a window with more steps done than it has",
           window + offsetof(struct dem_snapshot_window, done), 5, "of which 5 are done");
     whole("a window of a negative number of steps",
           window + offsetof(struct dem_snapshot_window, ahead), INT64_MIN,
           "a window of -9223372036854775808 steps");
-    number("an inserted mass that is not a number", flow + offsetof(struct dem_snapshot_flow, mass),
-           NAN, "the flow record of rain is nan");
+    number("an inserted mass that is not a number", flow + offsetof(struct dem_snapshot_flow, mass), NAN,
+           "the flow record of rain is nan");
     number("an infinite mass due", flow + offsetof(struct dem_snapshot_flow, owed), INFINITY,
            "the flow record of rain is inf");
     memcpy(&name, "two\nway", sizeof name);
@@ -248,7 +230,7 @@ static void other_contents(void)
     const int64_t samples = INT64_MAX;
 
     corrupt("more samples than can be counted", of_means() - 24, &samples, 0,
-          "its averages have 9223372036854775807 samples");
+            "its averages have 9223372036854775807 samples");
     memcpy(bad, good, size);
     store(bad_path);
     TAP_OK(can_start() == 0, "the original snapshot is accepted");

@@ -7,7 +7,6 @@
 #include "tap.h"
 
 #include "core/error.h"
-#include "core/random.h"
 #include "input/dictionary.h"
 #include "input/dictionary_tree.h"
 
@@ -516,43 +515,6 @@ static void limits(void)
     free(text);
 }
 
-/* A text that is cut, repeated or altered anywhere is read or refused, without crash, endless loop
-   or leak (with the sanitizers). */
-static void mutations(void)
-{
-    static const char signs[] = "(){}[];$\"#/*\\ \n.:a1";
-    const size_t length = sizeof scene - 1;
-    char text[2*sizeof scene];
-    int good = 0, refused = 0, silent = 0;
-
-    for (uint64_t i = 0; i < 20000; i++)
-    {
-        const size_t cut = dem_random_bits(1, i, 0, 0)%length,
-                     from = dem_random_bits(1, i, 0, 1)%length;
-        const size_t keep = i%3 == 0 ? length - from : 0;
-        struct dem_dict *d = NULL;
-
-        memcpy(text, scene, i%3 == 0 ? cut : length);
-        memcpy(text + cut, scene + from, keep);
-        text[i%3 == 0 ? cut + keep : length] = '\0';
-        for (uint64_t k = 0; i%3 != 0 && k < 1 + i%4; k++)
-        {
-            text[dem_random_bits(1, i, k, 2)%length] =
-                signs[dem_random_bits(1, i, k, 3)%(sizeof signs - 1)];
-        }
-        dem_error(DEM_ERROR_STATE, "%s", "");
-        const int status =
-            dem_dict_read_text(&d, text, "scene.dem") == DEM_OK ? read_scene(d) : DEM_ERROR_INPUT;
-        good += d != NULL;
-        refused += d == NULL;
-        silent += status != DEM_OK && strncmp(dem_error_text(), "scene.dem", 9) != 0;
-        dem_dict_free(d);
-    }
-    TAP_OK(good > 1000 && refused > 1000, "of 20000 mutated scenes %d are read and %d refused",
-           good, refused);
-    TAP_OK(silent == 0, "each refusal names the file; %d do not", silent);
-}
-
 int main(void)
 {
     TAP_TRAPS;
@@ -565,6 +527,5 @@ int main(void)
     refusals();
     files();
     limits();
-    mutations();
     TAP_DONE;
 }

@@ -48,7 +48,8 @@
  *
  * Largest time step: 0.2 of 2/w, w = the largest of 2 sqrt(k_n A/m), sqrt(k_t A L^2/I_p),
  * 2 sqrt(k_t J/I_p), 2 sqrt(k_n I/I_p) of a chain of the smallest particles, L = 2 R. There the
- * fastest of these motions is 0.68 % too fast (7.2 % at three times that).
+ * fastest of these motions is 0.68 % too fast (7.2 % at three times that). Clumps count with a sphere of
+ * a smaller radius (particles/clump_shape.h).
  *
  * Source: the note "linear bond model" of Open DEM Japan (2025), after Potyondy and Cundall, Int.
  * J. Rock Mech. Min. Sci. 41 (2004) 1329. Changed from the note:
@@ -181,8 +182,8 @@ static double reach(const void *of, const struct dem_pair_class *pair)
 static double time_limit(const void *of, const struct dem_pair_class *pair, const char **why)
 {
     const struct dem_bond_linear *bond = of;
-    const double equal = pair->with_wall ? 1.0 : 2.0, R = equal*pair->min_radius,
-                 m = equal*pair->min_mass, I_p = 0.4*m*R*R;
+    const double equal = pair->with_wall ? 1.0 : 2.0, R = equal*pair->bond_radius,
+                 m = equal*pair->bond_mass, I_p = 0.4*m*R*R;
     const double rb = bond->radius*R, A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
     const double axial = 4.0*bond->normal_stiffness*A/m,
                  rocking = bond->shear_stiffness*A*4.0*R*R/I_p;

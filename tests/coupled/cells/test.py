@@ -86,8 +86,7 @@ def leaning(name):
 def bed(case):
     """A fixed bed in a flow."""
     name = case.path.name
-    case.run("demPimpleFoam")
-    claim_ran(f"{name}: a fixed bed runs", case)
+    claim_runs(f"{name}: a fixed bed runs", case)
     claim(f"{name}: volume of the particles is exact", worst(case.log(), "volume error") < 1e-12)
     claim(f"{name}: exchange closes", worst(case.log(), "exchange error") < 1e-12)
     for function in ("writeCellCentres", "writeCellVolumes"):
@@ -107,8 +106,7 @@ def rest(case):
     case.sub(properties, "frozen yes;", "")
     case.gravity()
     case.edit(control, endTime=0.005, writeInterval=0.005)
-    case.run("demPimpleFoam")
-    claim_ran(f"{name}: at rest runs", case)
+    claim_runs(f"{name}: at rest runs", case)
     claim(f"{name}: at rest the volume is exact", worst(case.log(), "volume error") < 1e-12)
     # 1e-6 m/s is required; round-off of g T is below 1e-17
     claim(f"{name}: no particle moves", largest(case.field("0.005/lagrangian/particles/U")) < 1e-8)

@@ -59,8 +59,7 @@ def end(case):
 what = "240 bodies"
 case = box("box", scene)
 case.edit("system/controlDict", adjustTimeStep="yes", writeControl="adjustableRunTime", maxCo=0.3, maxParticleCo=0.04, maxDeltaT=0.001)
-case.run("demPimpleFoam")
-claim_ran(f"{what}: runs", case)
+claim_runs(f"{what}: runs", case)
 exchanged(what, case)
 steps = case.numbers("^deltaT = (.*)")
 claim(f"{what}: steps change", np.ptp(steps) > 0.05*steps.max(), np.ptp(steps)/steps.max())
@@ -76,8 +75,7 @@ case.run("demPimpleFoam")
 claim(f"{what}: continued from 0.015 s, the same bits", all(map(np.array_equal, alone, end(case))))
 case.remove("0.*")
 case.run("decomposePar")
-case.run("demPimpleFoam", ranks=2)
-claim_ran(f"{what}: runs on two ranks", case)
+claim_runs(f"{what}: runs on two ranks", case, ranks=2)
 exchanged(f"{what} on two ranks", case)
 case.run("reconstructPar", "-latestTime")
 claim(f"{what}: two ranks, the same positions and velocities (m, m/s)", difference(alone[0], end(case)[0]) < 1e-8)
@@ -94,8 +92,7 @@ insert { thrown { type random; shape pair; count 150; seed 7; velocity (0.1 0 0)
 coupling { rho 1000; }
 """)
 case.run("blockMesh")
-case.run("pisoFoam")
-claim_ran("pisoFoam: runs", case, "pisoFoam")
+claim_runs("pisoFoam: runs", case, "pisoFoam")
 total = case.vectors("sum", "momentum", "pisoFoam")[:, 0]
 claim("pisoFoam: exchange closes", worst(case.log("pisoFoam"), "exchange error") < 1e-12)
 claim("pisoFoam: momentum along the box is kept", len(total) > 10 and largest(total/total[0] - 1) < 1e-11)
@@ -109,8 +106,7 @@ for what in ("diameter 8e-4;", "shape one;"):
                                                     "" if "diameter" in what else
                                                     "shapes { one { spheres ((0 0 0 4e-4)); } }"))
     case.edit("system/controlDict", endTime=0.015)
-    case.run("demPimpleFoam")
-    claim_ran(f"{what} runs", case)
+    claim_runs(f"{what} runs", case)
     ends.append((case.particles("0.015", "positions", "U"), case.field("0.015/U")))
 claim("a body of one sphere moves as the sphere (m, m/s)", difference(ends[0][0], ends[1][0]) < 1e-10)
 claim("and so does the liquid", difference(ends[0][1], ends[1][1]) < 1e-10)
@@ -141,8 +137,7 @@ for name, turn, areas in (("along", "0.70710678118654752 0 0.70710678118654752 0
                     f"bed {{ type lattice; shape pair; count 144; spacing 1; jitter 0; orientation ({turn});"
                     f" min (0 0 0); max ({3.00001*width} {3.00001*width} {16.00001*width}); }}", f"rho {rho};",
                     f"shapes {{ pair {{ spheres ((-{R} 0 0 {R}) ({R} 0 0 {R})); }} }}")
-    case.run("demPimpleFoam")
-    claim_ran(f"flow {name}: runs", case)
+    claim_runs(f"flow {name}: runs", case)
     p = rho*case.field("0.02/p").reshape(16, 9).mean(1)
     found = (p[4] - p[12])/(8*width)
     # the table of areas, 3e-3; upwind cells
@@ -175,16 +170,14 @@ case.properties("light { density 1000; youngsModulus 1e5; }", "hertz {} stokesDr
                 "all { type random; shape bent; count 300; seed 3; velocity (0 0 0.4); spin (0 90 0);"
                 " min (0 0 0); max (0.012 0.012 0.024); }", "rho 1000; kernel diffusion;",
                 re.search("shapes.*", scene)[0] + " outlets { out { patch outlet; } }")
-case.run("demPimpleFoam")
-claim_ran("outlet: runs", case)
+claim_runs("outlet: runs", case)
 exchange, volume = (worst(case.log(), f"{word} error") for word in ("exchange", "volume"))
 claim("outlet: exchange closes", exchange < 1e-12, exchange)
 claim("outlet: volume is kept", volume < 1e-12, volume)
 alone = outflow("outlet")
 case.remove("0.0*")
 case.run("decomposePar")
-case.run("demPimpleFoam", ranks=2)
-claim_ran("outlet: runs on two ranks", case)
+claim_runs("outlet: runs on two ranks", case, ranks=2)
 case.run("reconstructPar", "-latestTime")
 again = outflow("outlet, two ranks")
 claim("outlet: the same spheres are left on two ranks", np.array_equal(alone[:, 0], again[:, 0]))

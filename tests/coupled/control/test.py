@@ -24,8 +24,7 @@ for way in ("no", "yes"):
     case = prepare("pimpleFoam", one + f"coupling {{ rho 10; twoWay {way}; }}", f"window-{way}")
     case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.02; timeEnd 0.1;")
     case.edit(control, endTime=0.15)
-    case.run("pimpleFoam")
-    claim_ran(f"{what}: runs", case, "pimpleFoam")
+    claim_runs(f"{what}: runs", case, "pimpleFoam")
     claim(f"{what}: particles move in 81 steps, as other function objects",
           len(re.findall("Suna: 1 particles, .* DEM steps, void", case.log("pimpleFoam"))) == 81)
     # two-way the sphere drags its cells along: 2 %
@@ -94,8 +93,7 @@ def contents():
 
 
 before = contents()
-case.run("pimpleFoam", "-postProcess")
-claim_ran("-postProcess: runs", case, "pimpleFoam")
+claim_runs("-postProcess: runs", case, "pimpleFoam", "-postProcess")
 claim("-postProcess: nothing moves, no file changes", contents() == before)
 case.run("pimpleFoam", "-postProcess", "-func", "mag(U)", "-latestTime")
 claim("-postProcess -func: writes its field", written(case/"0.1/mag(U)"))

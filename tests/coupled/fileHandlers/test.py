@@ -56,14 +56,12 @@ def written_and_continued(solver, handler, reference=None):
     what = f"{solver}, {handler}"
     case = divided(solver, handler, f"{solver}.{handler}")
     first = case/("processors2" if handler == "collated" else "processor0")/"0.008"
-    case.run(solver, "-fileHandler", handler, ranks=2)
-    claim_ran(f"{what}: runs on two ranks", case, solver)
+    claim_runs(f"{what}: runs on two ranks", case, solver, "-fileHandler", handler, ranks=2)
     claim(f"{what}: the snapshot is beside the fields of the first rank, and nowhere else",
           list(case.path.glob(f"processor*/0.008/{snapshot}")) == [first/snapshot])
     claim(f"{what}: the particles are in the folder of the fields",
           lambda: there(first/"U", first/"lagrangian/particles/positions"))
-    case.run("reconstructPar", "-fileHandler", handler, "-latestTime")
-    claim_ran(f"{what}: reconstructPar ends", case, "reconstructPar")
+    claim_runs(f"{what}: reconstructPar ends", case, "reconstructPar", "-fileHandler", handler, "-latestTime")
     if reference:
         claim(f"{what}: reconstructPar gives the bytes of the uncollated run", lambda: same_time(case, reference))
     else:
@@ -94,8 +92,7 @@ collated = written_and_continued("demPimpleFoam", "collated", reference)
 
 def continued_on_three(what, case, *options):
     """The case continues from the snapshot of half its time on three ranks."""
-    case.run("demPimpleFoam", *options, ranks=3)
-    claim_ran(f"{what}: runs", case)
+    claim_runs(f"{what}: runs", case, "demPimpleFoam", *options, ranks=3)
     claim(f"{what}: continues from the snapshot", case.found(f"^Suna: particles from .*0.004/{snapshot}"))
 
 
@@ -119,8 +116,7 @@ other = work/"other/roots"
 for name in ("system", "constant"):
     shutil.copytree(case/name, other/name)
 (case/"processor1").rename(other/"processor1")
-case.run("demPimpleFoam", "-roots", f'("{other.parent}")', ranks=2)
-claim_ran("distributed roots: runs", case)
+claim_runs("distributed roots: runs", case, "demPimpleFoam", "-roots", f'("{other.parent}")', ranks=2)
 claim("distributed roots: the snapshot is under the root of the first rank",
       lambda: there(case/"processor0/0.008"/snapshot, other/"processor1/0.008/U"))
 (other/"processor1").rename(case/"processor1")

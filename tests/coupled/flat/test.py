@@ -64,8 +64,7 @@ case.properties("glass { density 2500; youngsModulus 1e5; }", EFFECTS + " mindli
     down {{ {swarm} min (0 1.5e-4 0.006); max (0.012 9.5e-4 0.012); velocity (0 0 -0.1); }}""", "rho 1000;")
 case.copy("shared/system/fvSolution", "system/fvSolution.shared")
 case.copy("momentum/system/fvSolution", "system/fvSolution")
-case.run("demPimpleFoam")
-claim_ran("momentum: runs", case)
+claim_runs("momentum: runs", case)
 claim("momentum: exchange closes", worst(case.log(), "exchange error") < 1e-12)
 claim("momentum: volume of the particles is kept", worst(case.log(), "volume error") < 1e-12)
 # 100 spheres of 0.8 mm in 12 x 12 x 1.1 mm
@@ -88,8 +87,7 @@ claim("momentum: two ranks agree", lambda: difference(alone, case.particles("0.0
 
 case.controls(0.02, 0.0005, functions='particles { type demCloud; libs ("libdemCoupling.so"); }')
 case.sub("system/fvSchemes", r"div\(alphaPhi,U\)", "div(phi,U)")
-case.run("pimpleFoam")
-claim_ran("momentum: runs in stock pimpleFoam", case, "pimpleFoam")
+claim_runs("momentum: runs in stock pimpleFoam", case, "pimpleFoam")
 claim("momentum: exchange closes in pimpleFoam", worst(case.log("pimpleFoam"), "exchange error") < 1e-12)
 claim("momentum: the total is kept in pimpleFoam", keeps_momentum("pimpleFoam"))
 claim("momentum: all stay exactly in the plane in pimpleFoam", stays_in_plane())
@@ -131,8 +129,7 @@ case.flow("(0 0 0)", "walls { type noSlip; }", "walls { type zeroGradient; }")
 case.properties("neutral { density 1000; youngsModulus 1e5; }", EFFECTS, """grains { type random; diameter 1e-3;
     count 150; seed 3; min (0 5e-5 0); max (0.02 1.05e-3 0.02); }""", "rho 1000;")
 case.gravity()
-case.run("demPimpleFoam")
-claim_ran("hydrostatic: runs", case)
+claim_runs("hydrostatic: runs", case)
 # 1e-8 m/s: the bound of the reference case
 claim("hydrostatic: no particle moves", largest(case.field("0.05/lagrangian/particles/U")) < 1e-8)
 claim("hydrostatic: no fluid moves", largest(case.field("0.05/U")) < 1e-8)
@@ -154,8 +151,7 @@ for lean, sides, U, p in ((0, {"sides": ("wall;", "x- x+")}, "slip", "zeroGradie
     case.properties(GLASS, EFFECTS, """bed { type lattice; diameter 1e-3; count 200; spacing 1.1; jitter 0;
     frozen yes; min (0 0 0); max (0.011 0.0011 0.022); }""", "rho 1.2;")
     case.sub("system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 4")
-    case.run("demPimpleFoam")
-    claim_ran(f"{name}: runs", case)
+    claim_runs(f"{name}: runs", case)
     p, flux = case.field("0.02/p").reshape(18, 5).mean(1), case.field("0.02/voidFraction")*case.field("0.02/U")[:, 2]
     claim(f"{name}: the pressure gradient is the closure's (0.5 %)",
           close(1.2*(p[0] - p[3])/(3*0.0022), gidaspow_gradient(lattice_void), 0.005))

@@ -27,8 +27,7 @@ def signs(table):
 
 case = Case()
 case.run("blockMesh")
-case.run("demPimpleFoam")
-claim_ran("runs", case)
+claim_runs("runs", case)
 claim("the exchange closes", worst(case.log(), "exchange error") < 1e-12)
 claim("the fluid has the volume of the particles present", worst(case.log(), "volume error") < 1e-12)
 # checked at the start of a step: 0.199 s have passed
@@ -59,8 +58,7 @@ def last_rows(name):
 rows = last_rows(f"{tables}/flows.csv")
 (case/"0.2").rename(case/"straight")
 case.edit("system/controlDict", startFrom="latestTime")
-case.run("demPimpleFoam")
-claim_ran("continues from halfway", case)
+claim_runs("continues from halfway", case)
 for field in ("positions", "U", "id"):
     claim(f"the same bits after a restart, particles' {field}",
           agrees(case/f"0.2/lagrangian/particles/{field}", case/f"straight/lagrangian/particles/{field}"))
@@ -73,8 +71,7 @@ claim("the table continues after the restart", rows and last_rows("postProcessin
 case.remove("0.[12]")
 case.edit("system/controlDict", startFrom="startTime")
 case.run("decomposePar")
-case.run("demPimpleFoam", ranks=2)
-claim_ran("runs on two ranks", case)
+claim_runs("runs on two ranks", case, ranks=2)
 again = case.table(f"{tables}/flows.csv")
 claim("the same counts on two ranks",
       all(np.array_equal(again[key], table[key]) for key in ("time", "name", "way", "particles", "waiting")))
@@ -96,8 +93,7 @@ claim("back through the inlet: the run ends with an error", run.status not in (0
 claim("back through the inlet: the sentence names the patch and the cure",
       says(run.log, "out through patch inlet, .*outlets { NAME { patch"))
 case.sub("constant/demProperties", "out  { patch outlet; }", r"\g<0> back { patch inlet; }")
-case.run("demPimpleFoam")
-claim_ran("where it is an outlet, it runs", case)
+claim_runs("where it is an outlet, it runs", case)
 claim("back through the inlet, also an outlet: they are counted", flow("back", "particles") > 0)
 
 # ---- slips: the run ends before its first step -----------------------------------------------------
@@ -141,8 +137,7 @@ insert { more { type stream; rate 8000; diameter 8e-4; min (-0.002 0 0); max (0.
 outlets { hole { min (0.006 0.003 0.003); max (0.009 0.009 0.009); } }
 """)
 case.run("blockMesh")
-case.run("pimpleFoam")
-claim_ran("closed: runs", case, "pimpleFoam")
+claim_runs("closed: runs", case, "pimpleFoam")
 claim("closed: many are inserted and removed", min(flow("more", "particles"), flow("hole", "particles")) > 50)
 table, total = case.table(f"{tables}/flows.csv"), case.vectors("sum", "momentum", "pimpleFoam")
 # two rows a time: the stream and the outlet
@@ -165,8 +160,7 @@ case.sub("constant/demProperties", "drop {.*",
 case.sub("system/controlDict", r"^functions[\s\S]*", "")
 case.edit("system/controlDict", endTime=0.006, writeInterval=0.001)
 case.run("blockMesh")
-case.run("demPimpleFoam")
-claim_ran("crossing: runs", case)
+claim_runs("crossing: runs", case)
 places, error = [], []
 for when in case.times():
     x = case.field(f"{when}/lagrangian/particles/positions")[:, 0].max()

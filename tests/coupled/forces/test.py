@@ -18,8 +18,7 @@ def claim_exchange(what, case, solver="demPimpleFoam"):
 
 def run(case, what, solver="demPimpleFoam"):
     case.run("blockMesh")
-    case.run(solver)
-    claim_ran(f"{what}: runs", case, solver)
+    claim_runs(f"{what}: runs", case, solver)
 
 
 # ---- a given flow ----------------------------------------------------------------------------------

@@ -62,8 +62,7 @@ gas(case)
 case.properties(glass, "hertz {} wenYu {} ranzMarshall {} pressureGradient {}",
                 f"cold {{ type list; diameter 1e-3; temperature 300; positions ({rings_of_spheres(h, 4)}); }}",
                 "rho 1.25; kernel divided;")
-case.run("demPimpleFoam")
-claim_ran("wedge, at rest: runs", case)
+claim_runs("wedge, at rest: runs", case)
 claim("wedge, at rest: two lumped capacities of the whole pipe (0.5 % of the first difference)",
       relaxation(case, *pipe) < 0.005)
 claim("wedge, at rest: exchange closes", worst(case.log(), "heat exchange error") < 1e-13)
@@ -92,8 +91,7 @@ one = case.field("0.005/T")
 case.remove("0.0*")
 case.edit(control, endTime=0.005)
 case.run("decomposePar")
-case.run("demPimpleFoam", ranks=2)
-claim_ran("wedge, in motion: two ranks run", case)
+claim_runs("wedge, in motion: two ranks run", case, ranks=2)
 case.run("reconstructPar", "-time", "0.005")
 claim("wedge, in motion: two ranks have the temperatures of one (K)",
       one.size == 36 and difference(case.field("0.005/T"), one) < 1e-7)
@@ -124,8 +122,7 @@ claim("wedge, open: spheres have taken more than a third of it", 1 + received[-1
 
 def stock(name, case, solver):
     """The fluid gets the heat that hot spheres lose, with the heat of the density's change."""
-    case.run(solver)
-    claim_ran(f"{name}: runs", case, solver)
+    claim_runs(f"{name}: runs", case, solver)
     claim(f"{name}: exchange closes", worst(case.log(solver), "heat exchange error") < 1e-12)
     fluid, particles, received, left = gained(case, solver)
     claim(f"{name}: the spheres cool by more than 1 K", left < 0.9975)

@@ -71,8 +71,7 @@ for name, simulation, nut, Prt, entry in (("laminar", "laminar", 0, 1, ""),
     case.dictionary("constant/turbulenceProperties",
                     f"simulationType {simulation}; RAS {{ RASModel kEpsilon; turbulence off; }}")
     case.append(transport, entry)
-    case.run("demPimpleFoam")
-    claim_ran(f"conduction, {name}: runs", case)
+    claim_runs(f"conduction, {name}: runs", case)
     claim(f"conduction, {name}: a sine wave decays at its rate (1e-7)",
           close(case.field("0.04/T")[0] - 300, first_cell(nut, Prt), 1e-7))
 
@@ -93,8 +92,7 @@ between = "cold { type fixedValue; value uniform 290; } warm { type fixedValue; 
 case = plates("linear", 290 + 20*x, between, f"positions ({positions}); temperatures ({spheres});", 0.04, 0.001)
 case.sub(scene, "kernel diffusion;", "kernel divided; record { interval 1e-3; budget yes; }")
 case.edit(transport, kappa=1.25, Prt=0.85)
-case.run("demPimpleFoam")
-claim_ran("linear profile: runs", case)
+claim_runs("linear profile: runs", case)
 budget = {name: column[-1] for name, column in case.table("postProcessing/dem/0/budget.csv").items()}
 conducted = e*1.25*20/0.016*0.004**2*(budget["time"] - budget["since"])
 for plate, sign in (("cold", -1), ("warm", 1)):
@@ -108,8 +106,7 @@ case = plates("convection", 300, between, "temperature 300; positions ((0.003 0.
 case.edit(transport, nu=1e-3, kappa=1.25, beta=2e-3, TRef=300)
 case.sub(scene, "kernel diffusion", "twoWay no")
 case.sub(scene, "effects {", "effects { gravity { acceleration (0 0 -9.81); }")
-case.run("demPimpleFoam")
-claim_ran("convection: runs", case)
+claim_runs("convection: runs", case)
 # nu u'' = - beta g (T - TRef), y from -1/2 to 1/2 over the width w: u = G (y/4 - y^3)/6, G = beta g dT w^2/nu. Central
 # differences are exact for it but at the plates, where half a cell d = 1/(2 n) adds G d^2 y/2
 y, G, U = x - 0.5, 2e-3*9.81*20*0.016**2/1e-3, case.field("1/U")[:n]

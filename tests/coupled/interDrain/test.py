@@ -29,8 +29,7 @@ positions = " ".join(vector((width/2, width/2, (k + 0.5)*l/count)) for k in rang
 case.grains("grain { density 2500; youngsModulus 1e6; }", "stokesDrag {}",
             f"bed {{ type list; diameter {d}; frozen yes; positions ({positions}); }}", "kernel linear;",
             "time { step 1e-2; }")
-case.run("demInterFoam")
-claim_ran("runs", case, "demInterFoam")
+claim_runs("runs", case, "demInterFoam")
 void = case.interior("voidFraction")
 claim("the bed has the void fraction 0.4 (1 %)", close(void[5], e, 0.01), void[:cells//2])
 # with the ends of the bed that the kernel spreads

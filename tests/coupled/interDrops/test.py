@@ -27,8 +27,7 @@ def drop(name, insert, steps=20, more="", outer=1):
     case.grains("grain { density 2500; youngsModulus 1e5; }", "hertz {} stokesDrag {}", insert,
                 "kernel linear; " + more,
                 "time { step 1e-5; }")
-    case.run("demInterFoam")
-    claim_ran(f"{name}: runs", case, "demInterFoam")
+    claim_runs(f"{name}: runs", case, "demInterFoam")
     return case
 
 
@@ -49,8 +48,7 @@ claim("held: no more fluid moves than without particles", speeds[1] < 1.2*speeds
 here = clear.interior("U")
 clear.for_stock()
 clear.remove("0.0*")
-clear.run("interFoam")
-claim_ran("clear: interFoam runs", clear, "interFoam")
+claim_runs("clear: interFoam runs", clear, "interFoam")
 stock = largest(clear.interior("U"))
 means = [math.sqrt(np.mean(np.sum(U**2, axis=1))) for U in (here, clear.interior("U"))]
 claim("clear: parasitic currents are not stronger than in interFoam (root mean square)", means[0] < means[1], *means)

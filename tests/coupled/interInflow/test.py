@@ -30,8 +30,7 @@ case.grains("grain { density 2500; youngsModulus 1e5; }", "hertz {} dry { restit
                below { type stream; rate 400; diameter 1.5e-3; min (0.003 0.003 0.015); max (0.017
                0.017 0.02); end 0.2; }""",
             "walls (inlet);")
-case.run("demInterFoam")
-claim_ran("runs", case, "demInterFoam")
+claim_runs("runs", case, "demInterFoam")
 low, high, volume = case.bounds().T
 grown = volume - volume[0] - speed*area*1e-3*np.arange(len(volume))
 claim("the water grows by the inflow (1e-12 of it)", largest(grown) < 1e-12*volume[0], largest(grown)/volume[0])
@@ -68,8 +67,7 @@ for name, drain, entry, inside, velocity in (("air enters water", "z-", "z+", 1,
     case.grains("grain { density 2500; youngsModulus 1e6; }", "gidaspow {}",
                 "grain { type list; diameter 1e-5; frozen yes; positions ((0.0025 0.0025 0.03)); }",
                 more="time { step 1e-3; }")
-    case.run("demInterFoam")
-    claim_ran(f"{name}: runs", case, "demInterFoam")
+    claim_runs(f"{name}: runs", case, "demInterFoam")
     # nothing flows in step 1 of the phases, and in step 2 alpha of the patch still is as without a flux
     entered = np.sum(abs(case.interior("alpha.water") - inside))*0.005
     claim(f"{name}: 4.9 mm have entered in 98 steps (1e-6)", close(entered, 0.05*0.098, 1e-6), entered)
@@ -107,8 +105,7 @@ for skins in ("", "neighbours { outerSkin 0.15; innerSkin 0.03; }"):
                    rain { type stream; rate 300; diameter 1.5e-3; min (0.03 0 0.05); max (0.05 0.02 0.056); }
                    bed { type random; count 250; diameter 1.5e-3; min (0.04 0 0); max (0.1 0.02 0.02); }""",
                 more="outlets { out { patch outlet; } back { patch inlet; } up { patch top; } } " + skins)
-    case.run("demInterFoam")
-    claim_ran(f"streams with {skins or 'skins by default'}: runs", case, "demInterFoam")
+    claim_runs(f"streams with {skins or 'skins by default'}: runs", case, "demInterFoam")
     for name in ("U", "p_rgh", "transportedVoidFraction"):
         if skins:
             claim(f"{name}: the same bits with other skins", np.array_equal(fields[name], case.interior(name)))

@@ -28,8 +28,7 @@ def plunge(step):
     case.grains("grain { density 2500; youngsModulus 1e6; }", "hertz {} dry { restitution 0.3; } gidaspow {}",
                 f"""grains {{ type lattice; diameter {d}; count {count}; spacing 1.2; jitter 0.5;
                               velocity (0 0 -0.3); min (0 0 0.115); max (0.1 0.1 0.2); }}""")
-    case.run("demInterFoam")
-    claim_ran(f"step {step}: runs", case, "demInterFoam")
+    claim_runs(f"step {step}: runs", case, "demInterFoam")
     low, high, volume = case.bounds().T
     # the kernel's tail of the lowest spheres lies in the water from the start
     whole, water = level(case, case.times()[-1])

@@ -34,8 +34,7 @@ motionSolverLibs ("libfvMotionSolvers.so"); motionSolver solidBody; solidBodyMot
 
 
 def run(what, case):
-    case.run("demInterFoam")
-    claim_ran(f"{what}: runs", case, "demInterFoam")
+    claim_runs(f"{what}: runs", case, "demInterFoam")
     low, high, volume = case.bounds().T
     claim(f"{what}: alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
     claim(f"{what}: the volume of water is kept (1e-13)", np.ptp(volume) < 1e-13*volume[0], np.ptp(volume)/volume[0])
@@ -190,8 +189,7 @@ claim("pitch: continues with the bits of the uninterrupted run, particles",
 case.edit("system/controlDict", startTime=0)
 case.remove(end, "0.015625")
 case.run("decomposePar")
-case.run("demInterFoam", ranks=2)
-claim_ran("pitch, two ranks: runs", case, "demInterFoam")
+claim_runs("pitch, two ranks: runs", case, "demInterFoam", ranks=2)
 case.run("reconstructPar", "-latestTime")
 for name, limit in (("U", 1e-8), ("alpha.water", 1e-9), ("voidFraction", 1e-9)):
     gap = difference(case.field(straight/name), case.field(f"{end}/{name}"))

@@ -22,8 +22,7 @@ def vessel(name, surface):
 
 
 def claims(name, case):
-    case.run("demInterFoam")
-    claim_ran(f"{name}: runs", case, "demInterFoam")
+    claim_runs(f"{name}: runs", case, "demInterFoam")
     void, alpha, gradP = case.interior("voidFraction"), case.interior("alpha.water"), case.interior("gradP")
     rho = WATER[0]*alpha + AIR[0]*(1 - alpha)
     claim(f"{name}: the void fraction varies across the surface", np.ptp(void[(alpha > 0.1) & (alpha < 0.9)]) > 0.03,

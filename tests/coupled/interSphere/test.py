@@ -29,8 +29,7 @@ case.alpha(lambda x: x[:, 2] < 0.03)
 case.grains("ball { density 2500; youngsModulus 1e6; }", "hertz {} stokesDrag {}",
             f"ball {{ type list; diameter {d}; positions ((0.01 0.01 0.037)); }}",
             "twoWay no;")
-case.run("demInterFoam")
-claim_ran("runs", case, "demInterFoam")
+claim_runs("runs", case, "demInterFoam")
 times = case.times()
 z, w = (np.array([case.field(f"{time}/lagrangian/particles/{name}")[0, 2] for time in times])
         for name in ("positions", "U"))
@@ -59,8 +58,7 @@ for kernel, depth, width in (("divided", archimedes, d), ("diffusion; width 3", 
     case.grains("ball { density 900; youngsModulus 1e6; }", "hertz {} stokesDrag {}",
                 f"ball {{ type list; diameter {d}; positions ((0.0101 0.0098 {0.12 - 0.95*depth})); }}",
                 f"twoWay no; kernel {kernel};")
-    case.run("demInterFoam")
-    claim_ran(f"floating, {kernel}: runs", case, "demInterFoam")
+    claim_runs(f"floating, {kernel}: runs", case, "demInterFoam")
     z, w = case.particles("2", "positions", "U")[0, [3, 6]]
     claim(f"floating, {kernel}: it rests (1e-5 m/s)", abs(w) < 1e-5, w)
     claim(f"floating, {kernel}: its centre is {depth*1e3:.3f} mm below the surface (1 % of the kernel's width)",

@@ -34,8 +34,7 @@ def box(name, k, cells, bottom, top, amplitude, end, step, solid=False, drag=Fal
         solids = f"""grains {{ type list; diameter {d:.17g}; frozen yes; positions (
 {" ".join(map(vector, case.centres()))}); }}"""
     case.grains("grain { density 2500; youngsModulus 1e6; }", "stokesDrag {}" if drag else "", solids, "kernel linear;", "time { step 1e-3; }")
-    case.run("demInterFoam")
-    claim_ran(f"{name}: runs", case, "demInterFoam")
+    claim_runs(f"{name}: runs", case, "demInterFoam")
     x = case.centres()[:, 0]
     times = [0, *case.times()]
     return np.array([float(time) for time in times]), np.array(

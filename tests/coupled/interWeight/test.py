@@ -17,8 +17,7 @@ case.alpha(lambda x: x[:, 2] < surface)
 places = [(x, y, z) for z in 0.042 + 0.005*np.arange(6) for x in 0.00125 + 0.0025*np.arange(8) for y in 0.00125 + 0.0025*np.arange(8)]
 case.grains("grain { density 2500; youngsModulus 1e5; }", "hertz {} dry { restitution 0.5; } schillerNaumann {}",
             f"grains {{ type list; diameter {d}; positions ({' '.join(map(vector, places))}); }}")
-case.run("demInterFoam")
-claim_ran("runs", case, "demInterFoam")
+claim_runs("runs", case, "demInterFoam")
 times = [time for time in case.times() if float(time) > 0.12]
 v, lowest = ([f(case.particles(time, name)[:, 3]) for time in times] for f, name in ((np.mean, "U"), (np.min, "positions")))
 claim("the grains sink steadily, in the water", np.ptp(v) < 0.02*abs(np.mean(v)) and min(lowest) > 3*d, v, lowest)

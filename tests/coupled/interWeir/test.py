@@ -68,8 +68,7 @@ case.grains("grain { density 990; youngsModulus 1e5; }", "hertz {} dry { restitu
             f"feed {{ type stream; patch inlet; rate 100; diameter 1.5e-3; velocity ({speed} 0 0); }}"
             f" near {{ type random; count 60; diameter 1.5e-3; min (0.06 0 {foot}); max ({crest[0]} {h} {foot + 0.008}); }}",
             "walls (top);", "outlets { out { patch outlet; } }")
-case.run("demInterFoam")
-claim_ran("runs", case, "demInterFoam")
+claim_runs("runs", case, "demInterFoam")
 low, high, volume = case.bounds().T
 claim("alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
 q, g = speed*foot, 9.81

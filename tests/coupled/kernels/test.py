@@ -46,8 +46,7 @@ for kernel in ("diffusion", "particleCentre") + ("gaussian", "divided", "linear"
     for step in (2.5e-3, 1.25e-3):
         name = f"cluster, {kernel}, step {step} s"
         case = cluster(f"{kernel}-{step}", kernel, step)
-        case.run("demPimpleFoam")
-        claim_ran(f"{name}: runs", case)
+        claim_runs(f"{name}: runs", case)
         claim(f"{name}: volume of the particles is kept", worst(case.log(), "volume error") < 1e-12)
         claim(f"{name}: exchange closes", worst(case.log(), "exchange error") < 1e-12)
         found.append(rates(case))
@@ -73,8 +72,7 @@ def bed(name, n, low, high):
     min (0 0 {low}); max (0.012 0.012 {high}); }}""", "rho 1.2; kernel diffusion;")
     case.controls(0.004, 1e-3)
     case.duct((0.012, 0.012, 0.032), (3*n, 3*n, 8*n), 0.3, start=0.3)
-    case.run("demPimpleFoam")
-    claim_ran(f"{name}, cells of 4/{n} d: runs", case)
+    claim_runs(f"{name}, cells of 4/{n} d: runs", case)
     solid = 1 - case.field("0.004/voidFraction").reshape(8, n, 3, n, 3, n).mean((1, 3, 5))
     # pressure at the inlet, continued from the two layers of cells before it; it is 0 at the outlet
     p = case.field("0.004/p").reshape(8*n, -1).mean(1)
@@ -106,8 +104,7 @@ def reported_once(case, name):
 
 
 case = cluster("long", "diffusion", 2.5e-2)
-case.run("demPimpleFoam")
-claim_ran("a long step: runs", case)
+claim_runs("a long step: runs", case)
 for name in ("maxParticleCo", "maxVoidFractionChange"):
     claim(f"a long step: {name} is reported once", reported_once(case, name))
 
@@ -123,8 +120,7 @@ for name, limit, key, share in (("maxParticleCo", 0.2, "Particle Courant Number 
     light = ("density 5e3; youngsModulus 1e6;",)*(name == "maxRelaxation")
     case = cluster(f"limited-{name}", "diffusion", 1e-3, *light)
     case.edit(control, adjustTimeStep="yes", maxCo=5, maxDeltaT=1, **{name: limit})
-    case.run("demPimpleFoam")
-    claim_ran(f"a step limited by {name}: runs", case)
+    claim_runs(f"a step limited by {name}: runs", case)
     claim(f"a step limited by {name}: it is named", case.found(rf"time step limited by {name}$"))
     largest_seen = worst(case.log(), key)
     claim(f"a step limited by {name}: the limit holds", largest_seen < share*limit)

@@ -17,8 +17,7 @@ def says(log, sentence):
 
 
 def runs(what, solver="demPimpleFoam", ranks=1):
-    case.run(solver, ranks=ranks)
-    claim_ran(what, case, solver)
+    claim_runs(what, case, solver, ranks=ranks)
 
 
 def fails(what, sentence, solver="demPimpleFoam", ranks=1):

@@ -23,8 +23,7 @@ def fall(name, kernel, cell, Re, own="yes", run=True, **way):
     case = Case(re.sub("[^a-z0-9]+", "-", name), source="shared")
     prepare(case, f"kernel {kernel}; ownWake {own};", cell, Re, **way)
     if run:
-        case.run("demPimpleFoam")
-        claim_ran(f"{name}: runs", case)
+        claim_runs(f"{name}: runs", case)
         claim(f"{name}: exchange closes", worst(case.log(), "exchange error") < 1e-12)
     return case
 
@@ -159,8 +158,7 @@ drive {{ type meanVelocityForce; selectionMode all; fields (U); Ubar (0 0 {mean}
                     f"a {{ type list; diameter 1e-4; {'frozen yes;' if frozen else ''} "
                     f"positions ({' '.join(map(vector, centres*1e-4))}); }}",
                     f"rho 1000; kernel linear; ownWake {own};")
-    case.run("demPimpleFoam")
-    claim_ran(f"suspension, frozen {frozen}, {own}: runs", case)
+    claim_runs(f"suspension, frozen {frozen}, {own}: runs", case)
     u = case.vectors("fluid", "momentum")[:, 2]/(1000*e*length**3)
     v = case.vectors("particles", "momentum")[:, 2]/(2500*volume*len(centres))
     if frozen:

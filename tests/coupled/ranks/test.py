@@ -33,8 +33,7 @@ def result(case):
 
 
 def alone(what, case):
-    case.run("demPimpleFoam")
-    claim_ran(f"{what}: runs alone", case)
+    claim_runs(f"{what}: runs alone", case)
     return result(case)
 
 
@@ -48,8 +47,7 @@ def decomposed(what, case, expected, n, method):
     case.dictionary("system/decomposeParDict", f"numberOfSubdomains {n}; {method}")
     case.remove("processor*")
     case.run("decomposePar")
-    case.run("demPimpleFoam", ranks=n)
-    claim_ran(f"{what}: runs on {n}", case)
+    claim_runs(f"{what}: runs on {n}", case, ranks=n)
     case.run("reconstructPar", "-latestTime")
     particles, U, e = result(case)
     claim(f"{what}: {n} give the same positions and velocities (m, m/s)", difference(expected[0], particles) < 1e-8)

@@ -69,8 +69,7 @@ case.properties(GLASS, "hertz {} dry { restitution 0.5; }",
 for solver, functions in (("demPimpleFoam", ""), ("pimpleFoam", OBJECT)):
     case.remove("0.0*")
     case.controls(0.028, 0.0004, 0.0004, functions)
-    case.run(solver)
-    claim_ran(f"across, {solver}: runs", case, solver)
+    claim_runs(f"across, {solver}: runs", case, solver)
     first, last = case.column("0.0004", "positions"), case.column("0.028", "positions")
     claim(f"across, {solver}: all particles are there", len(last) == 96)
     claim(f"across, {solver}: they fly straight on",
@@ -102,14 +101,12 @@ for how in ("mesh", "frame"):
     else:
         case.fields("type noSlip;")
         case.frame(20, axis="(0 0 2)")
-    case.run("pimpleFoam")
-    claim_ran(f"walls, {how}: runs", case, "pimpleFoam")
+    claim_runs(f"walls, {how}: runs", case, "pimpleFoam")
     claim(f"walls, {how}: an impact that slides gives the velocity of friction", carried(case))
 claim("walls, frame: the log says which walls rotate",
       case.found(r"surface of wall lids rotates by \(0 0 20\) rad/s", "pimpleFoam"))
 case.append("constant/demProperties", "walls { lids { absorb no; } }\n")
-case.run("pimpleFoam")
-claim_ran("walls, frame, with another entry of the wall: runs", case, "pimpleFoam")
+claim_runs("walls, frame, with another entry of the wall: runs", case, "pimpleFoam")
 claim("walls, frame, with another entry of the wall: it rotates as well", carried(case))
 
 # ---- drag ------------------------------------------------------------------------------------------
@@ -123,15 +120,13 @@ case = Rings("drag")
 case.turning(20)
 case.properties(*DROPS)
 case.controls(0.05, 0.001, nu=1e-4)
-case.run("demPimpleFoam")
-claim_ran("drag: runs", case)
+claim_runs("drag: runs", case)
 claim("drag: exchange closes", worst(case.log(), "exchange error") < 1e-12)
 claim("drag: the cells hold their volume", worst(case.log(), "volume error") < 1e-12)
 U = case.column("0.05", "U")
 claim("drag: all particles are there", len(U) == 60)
 case.run("decomposePar")
-case.run("demPimpleFoam", ranks=2)
-claim_ran("drag: runs on two ranks", case)
+claim_runs("drag: runs on two ranks", case, ranks=2)
 claim("drag: exchange closes on two ranks", worst(case.log(), "exchange error") < 1e-12)
 claim("drag: the cells hold their volume on two ranks", worst(case.log(), "volume error") < 1e-12)
 both = np.concatenate([case.particles(f"processor{k}/0.05", "U") for k in range(2)])
@@ -167,8 +162,7 @@ case.properties(GLASS, "hertz {} dry { restitution 0.5; } stokesDrag {}",
                 "rho 1000; twoWay no;")
 case.controls(0.028, 0.0004, 0.0004, OBJECT)
 hold(case, lambda x, y: (1, 0.1))
-case.run("pimpleFoam")
-claim_ran("held, drag: runs", case, "pimpleFoam")
+claim_runs("held, drag: runs", case, "pimpleFoam")
 (x0, x1), (v0, v1) = ([case.column(t, name) for t in ("0.0004", "0.028")] for name in ("positions", "U"))
 within = [np.hypot(x[:, 0], x[:, 1]) < 0.02 for x in (x0, x1)]
 claim("held, drag: particles have crossed the interface", (within[0] != within[1]).sum() > 30)
@@ -200,8 +194,7 @@ for name, velocity, in_frame, at_rest, words in (
                     f"seeds {{ type list; diameter 0.2e-3; positions ({' '.join(map(vector, seeds))}); }}",
                     "rho 1000; twoWay no; kernel particleCentre;")
     case.frame(20, patches="shaft lids")
-    case.run("pimpleFoam")
-    claim_ran(f"held, {name}: runs", case, "pimpleFoam")
+    claim_runs(f"held, {name}: runs", case, "pimpleFoam")
     rotor = np.hypot(seeds[:, 0], seeds[:, 1]) < 0.02
     along_r, along_y = np.where(rotor[:, None], in_frame, at_rest).T
     expected = np.column_stack((along_r*seeds[:, 0], along_r*seeds[:, 1] + along_y, 0*along_r))

@@ -23,8 +23,7 @@ for solver, (entries, rho, mu) in falls.items():
 insert {{ one {{ type list; diameter 1e-4; positions ( (0.0071 0.0083 0.037) ); }} }}
 coupling {{ twoWay no; {entries} }}
 """)
-    case.run(solver)
-    claim_ran(f"{what}: runs", case, solver)
+    claim_runs(f"{what}: runs", case, solver)
     claim(f"{what}: the plan counts in steps of 1 ms", "fluid step 0.001 s" in case.log(solver))
     # 0.5 %: of the drag in cells of finite size with steps of 1 ms
     unit = 1000 if solver == "simpleFoam" else 1
@@ -116,8 +115,7 @@ case.edit(control, endTime=0.02)
 case.run("interFoam")
 alone = case.vectors("particles", "momentum", "interFoam")[-1, 0]
 case.run("decomposePar")
-case.run("interFoam", ranks=2)
-claim_ran("interFoam, two ranks: runs", case, "interFoam")
+claim_runs("interFoam, two ranks: runs", case, "interFoam", ranks=2)
 claim("interFoam, two ranks: exchange closes", worst(case.log("interFoam"), "exchange error") < 1e-12)
 claim("interFoam, two ranks: the spheres move as on one",
       close(case.vectors("particles", "momentum", "interFoam")[-1, 0], alone, 1e-9))
@@ -142,8 +140,7 @@ case.sub("0/U", cyclic, "left { type fixedValue; value uniform (0.5 0 0); } righ
 case.sub("0/U", "^internalField.*", "internalField uniform (0.5 0 0);")
 case.sub("0/p", cyclic, "left { type fixedFluxExtrapolatedPressure; } right { type fixedValue; value uniform 0; }")
 case.run("blockMesh")
-case.run("simpleFoam")
-claim_ran("simpleFoam, duct: runs", case, "simpleFoam")
+claim_runs("simpleFoam, duct: runs", case, "simpleFoam")
 V, d, rho, nu, u = 0.004**3, 1e-3, 1000, 5e-5, 0.5
 e = 1 - math.pi/6*d**3/V
 f = 3*math.pi*rho*nu*d*u*e**-2.65*(1 + 0.15*(e*d*u/nu)**0.687)

@@ -79,11 +79,9 @@ insert
 coupling { rho 1.2; twoWay no; }
 """
 case.write(scene, header + insertion)
-case.run("demPimpleFoam")
-claim_ran("groups in the mesh and in a zone: runs", case)
+claim_runs("groups in the mesh and in a zone: runs", case)
 x = case.particles("1e-06", "positions")[:, 1:]
-case.run("demPimpleFoam", ranks=2)
-claim_ran("groups in the mesh and in a zone: runs on two ranks", case)
+claim_runs("groups in the mesh and in a zone: runs on two ranks", case, ranks=2)
 both = np.concatenate([case.particles(f"processor{rank}/1e-06", "positions") for rank in range(2)])
 claim("the same digits on two ranks", len(x) > 0 and np.array_equal(both[np.argsort(both[:, 0]), 1:], x))
 # first face at 45 + 11.25 degrees; the lattice rests on its first layer at 11.5 mm
@@ -138,8 +136,7 @@ refuses("from the smooth cylinder: refused with the overlap of 0.115 diameters, 
 refuses("from the smooth cylinder: refused on two ranks", overlap, ranks=2)
 case.run("dem", "run", "-set", "walls/tube/radius", "0.005895",
          "-set", "insert/one/positions", "((0.0029972951 0.0044857788 0.01))", "smooth.dem")
-case.run("demPimpleFoam")
-claim_ran("from a cylinder that overlaps by 1 %: runs", case)
+claim_runs("from a cylinder that overlaps by 1 %: runs", case)
 claim("from the smooth cylinder: a warning", "settled in other walls" in case.log())
 
 # ---- a bed at rest in the walls of the mesh ---------------------------------------------------------
@@ -152,19 +149,16 @@ def started(start):
 
 
 case.write(scene, settle)
-case.run("demPimpleFoam", "-settle")
-claim_ran("-settle ends", case)
+claim_runs("-settle ends", case, "demPimpleFoam", "-settle")
 claim("-settle ends with a bed at rest", case.found("at rest at t .*settled.dem"))
 claim("-settle names the line to add", 'start { snapshot "settled.dem"; }' in case.log())
 started('start { snapshot "bed/rest.dem"; }')
 refuses("a missing snapshot: the log names the cure",
         "no file .*bed/rest.dem.*start/snapshot.*demPimpleFoam -settle")
 (case/"bed").mkdir()
-case.run("demPimpleFoam", "-settle", ranks=2)
-claim_ran("-settle on two ranks writes what start names", case)
+claim_runs("-settle on two ranks writes what start names", case, "demPimpleFoam", "-settle", ranks=2)
 claim("the same bits on two ranks", lambda: snapshot_hash(case/"settled.dem") == snapshot_hash(case/"bed/rest.dem"))
-case.run("demPimpleFoam", ranks=2)
-claim_ran("the coupled run starts from it", case)
+claim_runs("the coupled run starts from it", case, ranks=2)
 claim("the log reports that insert is for -settle", case.found("not read from insert.*bed"))
 # the bed was quiet, 99 % below 1.4e-2 sqrt(g d) = 1.4e-3 m/s; a fall for 2 ms would end with 20e-3
 fastest = max(largest(case.field(f"processor{rank}/0.002/lagrangian/particles/U")) for rank in range(2))
@@ -177,8 +171,7 @@ claim("overlaps with walls are less than between spheres", len(overlaps) == 1 an
 
 started('start { snapshot "bed/rest.dem"; frozen yes; }\ntime { step 5e-4; }')
 case.remove("[0-9]*.[0-9]*")
-case.run("demPimpleFoam")
-claim_ran("frozen from its snapshot: runs", case)
+claim_runs("frozen from its snapshot: runs", case)
 flags, velocities = (case.particles("0.002", name)[:, 1:] for name in ("flags", "U"))
 claim("all particles are frozen", len(flags) > 0 and np.all(flags == 1) and largest(velocities) == 0)
 started('start { snapshot "bed/rest.dem"; temperatur 300; }')

@@ -107,8 +107,7 @@ def stopped(solver, ranks, sent):
 
     end = f"{float(written[0]) + 0.004:g}"
     case.edit("system/controlDict", endTime=end, writeInterval=0.001, startFrom="latestTime")
-    case.run(solver, ranks=ranks)
-    claim_ran(f"{what}: it continues with startFrom latestTime", case, solver)
+    claim_runs(f"{what}: it continues with startFrom latestTime", case, solver, ranks=ranks)
     (case/folder/end).rename(case/"continued")
     case.remove("0.0*", "processor*/0.0*")
     case.run(solver, ranks=ranks)

@@ -76,8 +76,7 @@ def times(case, end, step=0.002):
 def through(name, case):
     """k stays 1 in the bed of this case."""
     case.run("blockMesh")
-    case.run("demPimpleFoam")
-    claim_ran(f"{name}: runs", case)
+    claim_runs(f"{name}: runs", case)
     claim(f"{name}: k without sources is uniform through a bed and behind it (1e-6)",
           largest(case.field("0.2/k") - 1) < 1e-6)
 
@@ -95,8 +94,7 @@ eddies(case, 1, 1e-9)
 turbulence(case, "RAS", "kEpsilon", without_sources)
 times(case, 0.02, 0.0005)
 case.run("blockMesh")
-case.run("demPimpleFoam")
-claim_ran("moving bed: runs", case)
+claim_runs("moving bed: runs", case)
 claim("moving bed: the particles are taken along by more than a diameter",
       case.field("0.02/lagrangian/particles/U")[:, 2].mean()*0.01 > 1e-3)
 claim("moving bed: k without sources stays uniform (1e-6)", largest(case.field("0.02/k") - 1) < 1e-6)
@@ -128,8 +126,7 @@ functions
 }
 """)
 case.run("blockMesh")
-case.run("demPimpleFoam")
-claim_ran("moving mesh, with function objects: runs", case)
+claim_runs("moving mesh, with function objects: runs", case)
 claim("moving mesh: k without sources stays uniform (1e-6)", largest(case.field("0.0390625/k") - 1) < 1e-6)
 claim("moving mesh: wallShearStress and forces have the model",
       case.read("postProcessing/load/0/force.dat") and case.read("postProcessing/stress/0/wallShearStress.dat"))
@@ -157,8 +154,7 @@ case.sub(scene, "kernel .*", "kernel diffusion;")
 eddies(case, 1, 10)
 turbulence(case, "RAS", "kEpsilon", "Cmu 1e-20; C1 1e-20; C2 1.92;")
 case.run("blockMesh")
-case.run("demPimpleFoam")
-claim_ran("decay: runs", case)
+claim_runs("decay: runs", case)
 e, k = (case.field(f"0.2/{name}")[::4] for name in ("voidFraction", "k"))
 residence = e*0.044/80/0.3
 t = np.cumsum(residence) - residence/2
@@ -222,8 +218,7 @@ for model in ("LRR", "SSG"):
     times(case, 0.04)
     case.sub(scene, "rho .*", "rho 1.2; record { interval 0.002; budget yes; }")
     turbulence(case, "RAS", model, "Cmu 1e-20; Cs 1e-20; Ceps 1e-20; wallReflection no;")
-    case.run("demPimpleFoam")
-    claim_ran(f"{model}: runs", case)
+    claim_runs(f"{model}: runs", case)
     claim(f"{model}: the fluid is accelerated by the Reynolds stress, -dRxz/dz (1e-5)",
           largest(case.field("0.04/U")[:, 0] + 0.08) < 8e-7)
     budget = case.table("postProcessing/dem/0/budget.csv")
@@ -238,8 +233,7 @@ eddies(case, epsilon=1e-9)
 turbulence(case, "RAS", "LRR", "Cmu 1e-20; Cs 1e-20; Ceps 1e-20;")
 times(case, 0.002)
 case.run("blockMesh")
-case.run("demPimpleFoam")
-claim_ran("isotropic stress: runs", case)
+claim_runs("isotropic stress: runs", case)
 claim("isotropic stress: moves no fluid at the surfaces of a bed", largest(case.field("0.002/U")) < 1e-9)
 
 # Uniform shear 50/s: nut = Ck Delta sqrt(k), k = Ck/Ce (Delta 50/s)^2; the same at the walls, so the shear stays
@@ -249,8 +243,7 @@ velocity(case, np.outer(50*z, (1, 0, 0)), fixed(rest), fixed((2.2, 0, 0)))
 field(case, "nut", viscosity, 0, free)
 turbulence(case, "LES", "Smagorinsky", "Ck 0.094; Ce 1.048;", filtered)
 times(case, 0.002)
-case.run("demPimpleFoam")
-claim_ran("Smagorinsky: runs", case)
+claim_runs("Smagorinsky: runs", case)
 width = (0.0022*0.0022*0.0011)**(1/3)
 claim("Smagorinsky: viscosity in uniform shear (1e-6)",
       largest(case.field("0.002/nut") - 0.094*width*math.sqrt(0.094/1.048)*width*50) < 1e-10)
@@ -277,8 +270,7 @@ def disperses(solver, two_way):
     case.edit(control, deltaT=0.02, endTime=0.8, writeInterval=0.4)
     if solver != "demPimpleFoam":
         case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
-    case.run(solver)
-    claim_ran(f"dispersion, {solver}, two-way {two_way}: runs", case, solver)
+    claim_runs(f"dispersion, {solver}, two-way {two_way}: runs", case, solver)
     return case
 
 
@@ -308,8 +300,7 @@ eddies(case, 0.1, 1e-6, free)
 turbulence(case, "RAS", "kEpsilon", without_sources)
 case.dictionary("constant/fvOptions", 'particles { type demTurbulenceSource; libs ("libdemCoupling.so"); }')
 times(case, 0.004, 1e-5)
-case.run("demPimpleFoam")
-claim_ran("source: runs", case)
+claim_runs("source: runs", case)
 U, k, epsilon = case.field("0.004/U")[:, 0].mean(), case.field("0.004/k").mean(), case.field("0.004/epsilon").mean()
 claim(f"source: drag slows the fluid down, to {U:.6g} m/s", U < 0.7)
 claim("source: the turbulence gains what the mean flow loses (1 %)", close(k - 0.1, 0.5*(1 - U*U), 0.01))

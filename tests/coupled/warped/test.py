@@ -40,13 +40,11 @@ def find(case):
     points = wall_points(triangles, 1e-8)
     print(f"# {name}: {len(points)} points, {len(triangles)} triangles")
     np.savetxt(case/"points.csv", points, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
-    case.run("icoFoam")
-    claim_ran(f"{name}: points along every wall triangle are in the mesh", case, "icoFoam")
+    claim_runs(f"{name}: points along every wall triangle are in the mesh", case, "icoFoam")
     claim(f"{name}: all particles are written",
           lambda: len(case.field("2e-06/lagrangian/particles/id")) == len(points) > 10000)
     case.run("decomposePar")
-    case.run("icoFoam", ranks=2)
-    claim_ran(f"{name}: on two ranks too", case, "icoFoam")
+    claim_runs(f"{name}: on two ranks too", case, "icoFoam", ranks=2)
 
 
 find(make("sphere", "type searchableSphere; centre (0.05 0.02 -0.03); radius 0.55;", "(0.8 0.8 0.8)"))

@@ -26,8 +26,7 @@ for kernel in ("divided", "diffusion"):
     case.properties(GLASS, "hertz {} gidaspow {} pressureGradient {}",
                     f"bed {{ type list; diameter 1e-3; frozen yes; positions ({rings_of_spheres(h, 20)}); }}",
                     f"rho 1.2; kernel {kernel};")
-    case.run("demPimpleFoam")
-    claim_ran(f"bed, {kernel}: runs", case)
+    claim_runs(f"bed, {kernel}: runs", case)
     voids, U, p = case.field("0.02/voidFraction"), case.field("0.02/U"), case.field("0.02/p").reshape(18, 5).mean(1)
     # the spheres of a ring are in its cells, as `divided` has them; linear weights move some of their volume to other
     # cells
@@ -67,8 +66,7 @@ for place, position in (("axis", "(0 0 0.0457)"), ("off-axis", "(-0.0123 0.0111 
         case.properties("sphere { density 3000; youngsModulus 1e6; }", "hertz {} wenYu {} pressureGradient {}",
                         f"one {{ type list; diameter 1e-4; positions ({position}); }}",
                         f"rho 10; twoWay {way}; walls (bottom);")
-        case.run("demPimpleFoam")
-        claim_ran(f"{name}: runs", case)
+        claim_runs(f"{name}: runs", case)
         for t in (0.1, 0.2):
             claim(f"{name}: speed after {t} s (share {share})",
                   close(-case.field(f"{t}/lagrangian/particles/U")[0, 2], speed(t), share))
@@ -91,8 +89,7 @@ case.properties("glass { density 2500; youngsModulus 1e5; }",
          cylinder { from (0 0 0); to (0 0 0.006); radius 0.006; } }
     down { type random; diameter 8e-4; count 150; seed 3; velocity (-0.1 -0.05 -0.4);
            cylinder { from (0 0 0.006); to (0 0 0.012); radius 0.006; } }""", "rho 1000;")
-case.run("demPimpleFoam")
-claim_ran("momentum: runs", case)
+claim_runs("momentum: runs", case)
 claim("momentum: exchange closes", worst(case.log(), "exchange error") < 1e-12)
 claim("momentum: volume of the particles is kept", worst(case.log(), "volume error") < 1e-12)
 case.run("postProcess", "-func", "writeCellVolumes", "-latestTime")
@@ -119,8 +116,7 @@ claim("momentum: written positions are those rotated to the middle plane (1e-9 m
 (case/"0.005").rename(case/"one")
 case.sub("system/controlDict", "^endTime .*", "endTime 0.005;")
 case.run("decomposePar")
-case.run("demPimpleFoam", ranks=2)
-claim_ran("momentum: two ranks run", case)
+claim_runs("momentum: two ranks run", case, ranks=2)
 case.run("reconstructPar", "-latestTime")
 # the bound of tests/coupled/ranks; so early that collisions have not amplified round-off much
 claim("momentum: two ranks agree (1e-8)",
