@@ -9,6 +9,7 @@
 #include "particles/clump_flow.h"
 #include "ranks/collect.h"
 #include "ranks/mpi_error.h"
+#include "step/clump_heat.h"
 
 /* The duplicate inherits the caller's error handler, which as a rule aborts. Errors of the
    duplication itself go to that handler. On failure *own is MPI_COMM_NULL, or a communicator
@@ -141,6 +142,11 @@ void dem_free(struct dem *d)
     {
         dem_clump_flow_free(d->state.clumps.flow);
         dem_memory_free(d->state.clumps.flow);
+    }
+    if (d->state.clumps.heat)
+    {
+        dem_memory_free(d->state.clumps.heat->row);
+        dem_memory_free(d->state.clumps.heat);
     }
     dem_clumps_free(&d->state.clumps);
     dem_applied_forces_free(&d->state.applied_forces);

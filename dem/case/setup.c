@@ -262,10 +262,6 @@ static void begin_device(struct dem *d)
         return;
     }
     dem_device_refusal(&d->state, why, sizeof why);
-    if (d->scene.stages.n > 0)
-    {
-        snprintf(why, sizeof why, "there are stages");
-    }
     if (why[0])
     {
         snprintf(d->device, sizeof d->device, "the CPU makes all steps, not device %s: %s",

@@ -9,15 +9,16 @@
 #include "core/memory.h"
 #include "particles/clump_flow.h"
 #include "ranks/collect.h"
+#include "step/clump_heat.h"
 #include <math.h>
 
-/* Gravity, drag, pressure gradient, viscous stress and viscous torque act on bodies. */
+/* Gravity, drag, heat transfer, pressure gradient, viscous stress and viscous torque act on bodies. */
 static int acts_on_bodies(const struct dem_effect *e)
 {
     const int lift = e->has_reaction && !(e->needs & DEM_NEEDS_STRESS);
 
     return e->stage == DEM_STAGE_BODY ? e->uniform_acceleration != NULL
-                                      : !e->transfers && !e->has_added_mass && !e->eddies && !lift;
+                                      : !e->has_added_mass && !e->eddies && !lift;
 }
 
 static int refuse_effects(const struct dem_interaction_table *r)
@@ -28,16 +29,16 @@ static int refuse_effects(const struct dem_interaction_table *r)
 
         DEM_REQUIRE((e->stage != DEM_STAGE_BODY && e->stage != DEM_STAGE_FLUID) || acts_on_bodies(e),
                     DEM_ERROR_INPUT,
-                    "shapes: effects/%s acts on single spheres; on clumps act gravity, drag laws, "
-                    "pressureGradient, viscousStress and viscousTorque; leave out one of the two", e->name);
+                    "shapes: effects/%s acts on single spheres; on clumps act gravity, laws of drag and "
+                    "heat transfer, pressureGradient, viscousStress and viscousTorque; leave out one of the two", e->name);
         /* a spring against rolling is not bounded by the inertia of one sphere */
         DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || (e->mechanism == DEM_MECHANISM_ROLLING && e->history),
                     DEM_ERROR_INPUT,
                     "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
                     "form resists rolling; leave it out, or take rollingSpring", e->name);
-        DEM_REQUIRE(e->stage != DEM_STAGE_SCALAR, DEM_ERROR_INPUT,
-                    "shapes: effects/%s cannot be used with clumps yet; leave out one of the two",
-                    e->name);
+        DEM_REQUIRE(e->stage != DEM_STAGE_SCALAR || !e->reach, DEM_ERROR_INPUT,
+                    "shapes: effects/%s exchanges heat over gaps between whole spheres, which those of a clump "
+                    "are not; leave out one of the two", e->name);
     }
     return DEM_OK;
 }
@@ -54,13 +55,11 @@ static int refuse_entries(const struct dem_case *c)
     } entries[] = {
         {"domain/flat", box->flat[0] || box->flat[1] || box->flat[2]},
         {"parcels", d->state.interaction_table.parcels.used},
-        {"a particle scalar", d->state.interaction_table.listed > 0},
         {"forces", d->state.applied_forces.n > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"a drag law with the mean diameter around a particle",
           (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_MEAN_DIAMETER) != 0},
         {"coupling/ownWake or coupling/lawWidth", c->own_wake},
-        {"write/energy in a fluid", d->with_fluid && c->energy},
     };
 
     for (size_t k = 0; k < sizeof entries/sizeof *entries; k++)
@@ -141,6 +140,22 @@ static int begin_flow(struct dem *d)
     return dem_clump_flow_begin(c->flow, &d->scene.shapes, (needs & DEM_NEEDS_FORM) != 0);
 }
 
+/* One temperature a body. */
+static int begin_heat(struct dem *d)
+{
+    const struct dem_interaction_table *const t = &d->state.interaction_table;
+
+    for (int k = 0; k < t->listed && d->scene.shapes.n > 0 && !d->state.clumps.heat; k++)
+    {
+        if (t->scalar[k]->flags & DEM_SCALAR_HEAT)
+        {
+            DEM_TRY(DEM_NEW(d->state.clumps.heat, 1));
+            d->state.clumps.heat->scalar = k;
+        }
+    }
+    return DEM_OK;
+}
+
 /* Bodies of a snapshot come with their state, and need the column of it. */
 int dem_api_begin_clumps(struct dem *d)
 {
@@ -168,5 +183,6 @@ int dem_api_begin_clumps(struct dem *d)
         p->halo.clump_reach = reach;
     }
     DEM_TRY(begin_flow(d));
+    DEM_TRY(begin_heat(d));
     return dem_collect_status(&p->decomposition);
 }

@@ -314,7 +314,10 @@ static int complete_scalars(struct dem_case *c)
                     "NUMBER; }", c->load_path, r->scalar[k]->name, r->scalar[k]->name);
         for (size_t i = 0; (start->given || !in_file) && i < p->n; i++)
         {
-            dem_scalar_values(p, k)[i] = dem_scalar_draw(start, k, 1, (uint64_t)p->record[i].id);
+            const struct dem_particle *const q = &p->record[i];
+
+            dem_scalar_values(p, k)[i] =
+                dem_scalar_draw(start, k, 1, (uint64_t)(q->body ? q->body - 1 : q->id));
         }
     }
     return dem_scalars_check(p, r, " in the snapshot");

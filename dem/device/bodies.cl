@@ -23,7 +23,7 @@ static void dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
         const uint row = entry[e] >> 1;
         const double side = entry[e] & 1 ? -1.0 : 1.0;
 
-        if (!touch[row])
+        if (!(touch[row] & DEM_DEVICE_TOUCHES))
         {
             continue;
         }
@@ -46,7 +46,7 @@ static void dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
         const uint row = entry[e] >> 1;
         const double side = entry[e] & 1 ? -1.0 : 1.0;
 
-        if (touch[row])
+        if (touch[row] & DEM_DEVICE_TOUCHES)
         {
             const double4 m = moment[row];
 
@@ -84,10 +84,10 @@ static int dem_acts(global const struct dem_device_applied *f, global const long
 /* The scene's forces on a particle, of all that act, to the row; torques [N m]. */
 static void dem_apply(constant struct dem_device_batch *b, uint s,
                       global const struct dem_device_applied *applied, global const long *ids,
-                      double4 x, double4 v, double4 rest, struct dem_body_row *r, double torque[3])
+                      double4 x, double4 v, double4 rest, struct dem_body_row *r, double force[3],
+                      double torque[3])
 {
     const double time = b->window_start + (double)(b->first + (int64_t)s)*b->dt;
-    double force[3] = {0.0, 0.0, 0.0};
 
     for (uint k = 0; k < b->applied && v.w > 0.0; k++)
     {
@@ -107,6 +107,22 @@ static void dem_apply(constant struct dem_device_batch *b, uint s,
     }
 }
 
+#if BALANCE && FLUID
+/* What the fluid gives to a particle in this step, for the balance. */
+static void dem_balance_impulses(struct dem_particle_balance *e, global const double *columns, uint n, uint i,
+                                 const double impulse[3], const double spin_impulse[3])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        e->drag_impulse[k] = impulse[k];
+        e->carried[k] = VECTOR(CARRIED_OVER_IMPULSE, k);
+#ifdef COLUMN_ANGULAR_IMPULSE
+        e->spin_impulse[k] = spin_impulse[k];
+#endif
+    }
+}
+#endif
+
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
 void bodies(constant struct dem_device_batch *b, global struct dem_device_report *report, uint s,
             global double4 *restrict record, global const uchar *restrict touch,
@@ -116,7 +132,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
             constant struct dem_device_axes *axes, global double *restrict columns,
             global const double *restrict rates,
             global const struct dem_device_applied *restrict applied,
-            global const long *restrict ids)
+            global const long *restrict ids, global long *sums)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -145,7 +161,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         }
 #endif
         double f[3] = {0.0, 0.0, 0.0}, t[3] = {0.0, 0.0, 0.0};
-        double applied_torque[3] = {0.0, 0.0, 0.0};
+        double applied_force[3] = {0.0, 0.0, 0.0}, applied_torque[3] = {0.0, 0.0, 0.0};
+        double impulse[3], spin_impulse[3];
         struct dem_body_row r;
 
         dem_sum_rows(b, i, x.w, touch, force, moment, energy, start, entry, lost, f, t);
@@ -163,6 +180,14 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 
         const double h = b->dt;
 
+#if BALANCE
+        struct dem_particle_balance e = {.to = {b, report, sums, s}};
+
+        dem_balance_particle(b, v, w, rest, f, t, &e);
+#if !FLUID
+        r.rx = r.ry = r.rz = 0.0;
+#endif
+#endif
 #if FLUID || SCALARS
         const uint n = b->particles;
 #endif
@@ -179,11 +204,11 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         (void)later;
 #endif
         BODIES(BODY_ARGUMENTS);
-        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_torque);
-        dem_fluid_kick(columns, n, i, h, &r, &v);
+        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_force, applied_torque);
+        dem_fluid_kick(columns, n, i, h, &r, &v, impulse);
 #else
         BODIES(BODY_ARGUMENTS);
-        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_torque);
+        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_force, applied_torque);
 
         const double step = h*v.w;
 
@@ -193,11 +218,11 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #endif
 #ifdef COLUMN_ANGULAR_IMPULSE
         w.x = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 0), h, w.w, r.spin_drag, r.spin_drag_wx,
-                             t[0], w.x);
+                             t[0], w.x, spin_impulse);
         w.y = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 1), h, w.w, r.spin_drag, r.spin_drag_wy,
-                             t[1], w.y);
+                             t[1], w.y, spin_impulse + 1);
         w.z = dem_fluid_turn(&VECTOR(ANGULAR_IMPULSE, 2), h, w.w, r.spin_drag, r.spin_drag_wz,
-                             t[2], w.z);
+                             t[2], w.z, spin_impulse + 2);
 #else
         const double turn = h*w.w;
 
@@ -205,17 +230,36 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         w.y += turn*t[1];
         w.z += turn*t[2];
 #endif
+#if BALANCE
+#if FLUID
+        dem_balance_impulses(&e, columns, n, i, impulse, spin_impulse);
+#endif
+        r.vx = v.x;
+        r.vy = v.y;
+        r.vz = v.z;
+        r.wx = w.x;
+        r.wy = w.y;
+        r.wz = w.z;
+        body_balance(&e, &r);
+#endif
         if (b->applied > 0)
         {
             w.x += applied_torque[0]*w.w*h;
             w.y += applied_torque[1]*w.w*h;
             w.z += applied_torque[2]*w.w*h;
+#if BALANCE
+            dem_balance_applied(&e, applied_force, applied_torque, v, w);
+#endif
         }
 #if SCALARS
         if (dem_particle_scalars_end(columns, n, i, h, rest.x, (uint)as_ulong(rest.z) & 0xffffu, &q))
         {
             dem_report_event(report, DEM_DEVICE_NOT_FINITE, s);
         }
+#ifdef ENERGY_HEATED
+        dem_exact_add(&e.to, ENERGY_HEAT_BODIES, h*q.heated);
+        dem_exact_add(&e.to, ENERGY_HEAT_BODIES, -h*q.from_contacts);
+#endif
 #endif
         v.x = axes->flat[0] ? 0.0 : v.x;
         v.y = axes->flat[1] ? 0.0 : v.y;
@@ -223,6 +267,9 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         w.x = axes->flat[1] || axes->flat[2] ? 0.0 : w.x;
         w.y = axes->flat[2] || axes->flat[0] ? 0.0 : w.y;
         w.z = axes->flat[0] || axes->flat[1] ? 0.0 : w.z;
+#if BALANCE
+        dem_balance_drift(&e, v, w, rest.x, f, t);
+#endif
         x.x += (h*v.x + axes->round[0]) - axes->round[0];
         x.y += (h*v.y + axes->round[1]) - axes->round[1];
         x.z += (h*v.z + axes->round[2]) - axes->round[2];
@@ -241,7 +288,7 @@ void clear_apart(uint rows, uint columns, global const uchar *restrict touch,
 {
     const uint row = get_global_id(0);
 
-    for (uint m = 0; row < rows && !touch[row] && m < columns; m++)
+    for (uint m = 0; row < rows && !(touch[row] & DEM_DEVICE_TOUCHES) && m < columns; m++)
     {
         history[(size_t)m*rows + row] = 0.0;
     }

@@ -69,7 +69,7 @@ int dem_device_check(struct dem_device *d, struct dem_state *state,
         return DEM_OK;
     }
     /* the walls of this step; a wall that moves too fast is the host's */
-    DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, skin));
+    DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, skin, 0));
     *end = one == 0;
     if (*end)
     {

@@ -8,7 +8,6 @@
 #include "core/memory.h"
 #include "device/device_internal.h"
 #include "device/program.h"
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -173,30 +172,12 @@ static int put_candidates(struct dem_device *d, const struct dem_wall_search *s)
     return dem_opencl_put(d->cl, &d->candidates, s->candidates*sizeof *d->word, d->word);
 }
 
-/* Rows that make up whole batches are in no entry, so no kernel finds their contact: they have none. */
-static int clear_contacts(struct dem_device *d, size_t rows)
-{
-    static const double none[8] = {0.0, 0.0, 0.0, DBL_MAX, 1.0, 0.0, 0.0, 0.0};
-    double *all;
-
-    DEM_TRY(DEM_NEW(all, 8*rows + 1));
-    for (size_t k = 0; k < 8*rows; k++)
-    {
-        all[k] = none[k%8];
-    }
-    const int status = dem_opencl_put(d->cl, &d->contacts, 8*rows*sizeof *all, all);
-
-    dem_memory_free(all);
-    return status;
-}
-
 int dem_device_put_near(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_contact_rows *const rows = &state->contacts.rows;
     const struct dem_wall_search *const s = &state->pairs.wall_search;
     const size_t n = rows->n - rows->walls;
 
-    DEM_TRY(d->of_facets ? clear_contacts(d, n) : DEM_OK);
     if (!d->of_near)
     {
         return DEM_OK;

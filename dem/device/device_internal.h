@@ -23,6 +23,7 @@ struct dem_device_rows
     struct dem_opencl_memory near;      /* of wall rows (facets.cl) */
     uint32_t rows, walls;               /* walls: the first row of a wall */
     uint32_t first[DEM_DEVICE_CLASSES + 1];    /* row of each class; the last: rows */
+    uint32_t count[DEM_DEVICE_CLASSES];        /* of its rows, without those that fill up batches of the host */
 };
 
 enum dem_device_list_kernel
@@ -52,7 +53,7 @@ struct dem_device
     /* of rows: the present lists and those before; results of a step; a copy */
     struct dem_device_rows list[2];
     int at;
-    struct dem_opencl_memory force, moment, energy, contacts, loads, conditions, rates, applied, ids, before_touch, before_history;
+    struct dem_opencl_memory force, moment, energy, contacts, exact, conditions, rates, applied, ids, before_touch, before_history;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates, was;
@@ -124,16 +125,21 @@ int dem_device_find_near(struct dem_device *, const struct dem_state *);
 int dem_device_give_facets(struct dem_device *);
 int dem_device_launch_facets(struct dem_device *, const struct dem_state *, uint32_t s);
 
-/* device_walls.c: walls move along with the steps of a batch. */
+/* device_walls.c: walls move along with the steps of a batch. next: 1: the frames of the step after the
+   batch, too. */
 int dem_device_move_walls(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
-                          struct dem_device_batch *, uint32_t *n, double skin);
+                          struct dem_device_batch *, uint32_t *n, double skin, int next);
 void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *);
 
-/* device_loads.c: loads on walls in a batch of steps, if they are asked for: begin with zero, the sums of
-   a step, add them to the host's. */
-int dem_device_begin_loads(struct dem_device *, const struct dem_state *);
+/* device_sums.c: exact sums of a batch of steps, of loads on walls and of the energy balance, if they are
+   asked for: begin with zero, the kernel of walls and its
+   arguments, add them to the host's. 1: the work of walls
+   that move is summed. */
+int dem_device_begin_sums(struct dem_device *, const struct dem_state *, struct dem_device_batch *);
+int dem_device_give_loads(struct dem_device *);
 int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint32_t s);
-int dem_device_add_loads(struct dem_device *, struct dem_state *);
+int dem_device_add_sums(struct dem_device *, struct dem_state *);
+int dem_device_has_wall_work(const struct dem_state *);
 
 /* All memory in turn, for k from 0; NULL past the last. */
 struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);

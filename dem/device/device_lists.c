@@ -234,6 +234,10 @@ static int count(struct dem_device *d, const struct dem_state *state, struct dem
                             &entries));
     list->rows = list->first[classes];
     list->walls = list->rows;
+    for (size_t c = 0; c < classes; c++)
+    {
+        list->count[c] = list->first[c + 1] - list->first[c];
+    }
     for (int c = d->classes - 1; c >= 0 && state->interaction_table.list[c].pair.with_wall; c--)
     {
         list->walls = list->first[c];

@@ -50,7 +50,8 @@ static int build(struct dem_device *d, const struct dem_state *state)
 {
     struct dem_text text = {.text = NULL};
     uint64_t key = 0;
-    int status = dem_device_program(&state->interaction_table, &state->particles, &state->walls, &text);
+    int status = dem_device_program(&state->interaction_table, &state->particles, &state->walls,
+                                    state->energy_balance, &text);
 
     status = status ? status : dem_opencl_build(d->cl, text.text, &key);
     dem_text_free(&text);
@@ -148,7 +149,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
-        &d->batch, &d->report, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->loads, &d->conditions,
+        &d->batch, &d->report, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
         &d->rates, &d->applied, &d->ids,
         &d->candidate_start, &d->candidates, &a->near, &b->near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,

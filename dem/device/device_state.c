@@ -105,6 +105,7 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
     for (int k = 0; k < rows->classes; k++)
     {
         list->first[k] = rows->segment[k].first;
+        list->count[k] = rows->segment[k].count;
     }
     list->first[rows->classes] = rows->n;
     d->host_lists = lists;
@@ -169,7 +170,7 @@ int dem_device_put_particles(struct dem_device *d, const struct dem_state *state
 }
 
 /* History of rows that do not touch is zero on the host, so all rows count as touching before. Rows
-   that make up whole batches repeat others, and no entry has them. */
+   that make up whole batches repeat others; no entry and no kernel has them. */
 int dem_device_put(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_contact_history *const h = &state->contacts.history;

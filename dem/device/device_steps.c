@@ -23,44 +23,40 @@ enum
 
 /* ---- batches of steps -------------------------------------------------------------------------- */
 
-static uint32_t rows_of_class(const struct dem_device *d, int k)
-{
-    const struct dem_device_rows *const list = &d->list[d->at];
-
-    return list->first[k + 1] - list->first[k];
-}
-
 /* All arguments but the number of the step, which is the third one. */
 static int give_arguments(struct dem_device *d)
 {
     struct dem_device_rows *const list = &d->list[d->at];
 
     DEM_TRY(dem_device_give_facets(d));
+    DEM_TRY(dem_device_give_loads(d));
     for (int k = 0; k < d->classes; k++)
     {
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 0, &d->batch, &d->report));
         DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 3, list->first[k]));
-        DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, rows_of_class(d, k)));
+        DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 4, list->count[k]));
         DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->of_rows[k], 5, &d->record, &list->partners, &d->shift,
                                 &d->facets, &list->touch, &list->history, &d->force, &d->moment,
                                 &d->energy, &d->frames, &d->columns, &d->drives, &d->contacts,
-                                &d->conditions, &d->rates));
+                                &d->conditions, &d->rates, &d->exact));
     }
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->touch, &d->force, &d->moment,
                            &d->energy, &list->start, &list->entry, &d->lost, &d->axes, &d->columns,
-                           &d->rates, &d->applied, &d->ids);
+                           &d->rates, &d->applied, &d->ids, &d->exact);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
 {
+    const struct dem_device_rows *const list = &d->list[d->at];
+
     DEM_TRY(dem_device_launch_facets(d, state, s));
     for (int k = 0; k < d->classes; k++)
     {
-        if (rows_of_class(d, k) > 0)
+        if (list->count[k] > 0)
         {
             DEM_TRY(dem_opencl_give_number(d->cl, d->of_rows[k], 2, s));
-            DEM_TRY(dem_opencl_launch(d->cl, d->of_rows[k], rows_of_class(d, k)));
+            DEM_TRY(dem_opencl_launch(d->cl, d->of_rows[k], list->count[k]));
         }
     }
     DEM_TRY(dem_device_launch_loads(d, state, s));
@@ -110,6 +106,7 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .inverse_dt = 1.0/state->dt,
         .max_dt = state->max_dt,
         .window_start = state->window.start,
+        .window = state->window.length,
         .over_window = state->window.length > 0.0 ? 1.0/state->window.length : 0.0,
         .first = steps->first + steps->made,
         .first_of_all = steps->first,
@@ -134,12 +131,13 @@ static int make_batch(struct dem_device *d, struct dem_state *state,
     memset(&d->seen, 0, sizeof d->seen);
     d->seen.overlap = batch.overlap;
     d->seen.event_step = UINT32_MAX;
-    DEM_TRY(dem_device_move_walls(d, state, steps, &batch, n, p->skin));
+    DEM_TRY(dem_device_move_walls(d, state, steps, &batch, n, p->skin,
+                                  dem_device_has_wall_work(state)));
     DEM_TRY(copy_state(d, state, 0));
+    DEM_TRY(dem_device_begin_sums(d, state, &batch));
     DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
     DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
     DEM_TRY(give_arguments(d));
-    DEM_TRY(dem_device_begin_loads(d, state));
     for (uint32_t s = 0; s < *n; s++)
     {
         DEM_TRY(launch_step(d, state, s));
@@ -206,7 +204,7 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
         d->counts.repeated += until;
         return copy_state(d, state, 1);
     }
-    DEM_TRY(dem_device_add_loads(d, state));
+    DEM_TRY(dem_device_add_sums(d, state));
     d->wait = made > 0 ? 0 : d->wait;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
@@ -232,7 +230,7 @@ static int renew_lists(struct dem_device *d, struct dem_state *state,
     {
         p->skin = dem_device_skin(d, d->last_speed, state->dt);
         /* to the position of the next step, whose lists these are */
-        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin));
+        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
         if (one == 0)
         {
             *end = 1;
@@ -242,7 +240,7 @@ static int renew_lists(struct dem_device *d, struct dem_state *state,
         if (state->walls.periodic)
         {
             DEM_TRY(dem_device_wrap_walls(d, state));
-            DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin));
+            DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
         }
         for (enum dem_list l = 0; l < DEM_LISTS; l++)
         {

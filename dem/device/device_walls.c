@@ -31,20 +31,20 @@ static double rest_of_lists(const struct dem_state *state, const struct dem_devi
    device. */
 int dem_device_move_walls(struct dem_device *d, struct dem_state *state,
                           const struct dem_device_steps *steps, struct dem_device_batch *batch,
-                          uint32_t *n, double skin)
+                          uint32_t *n, double skin, int next)
 {
     struct dem_walls *const w = &state->walls;
     const size_t frames = (size_t)w->frames;
     float limit = INFINITY;
 
     batch->frames = (uint32_t)frames;
-    DEM_TRY(DEM_GROW(d->frame, d->frames_capacity, frames**n + 1));
+    DEM_TRY(DEM_GROW(d->frame, d->frames_capacity, frames*(*n + 1) + 1));
     if (frames > 0)
     {
         /* where they are before the first step: an earlier batch may have moved them further */
         dem_walls_move(w, time_of(state, batch->first - 1), state->dt);
     }
-    for (uint32_t s = 0; s < *n; s++)
+    for (uint32_t s = 0; s < *n + (uint32_t)(next && frames > 0); s++)
     {
         if (frames > 0)
         {
@@ -55,13 +55,17 @@ int dem_device_move_walls(struct dem_device *d, struct dem_state *state,
             d->frame[s*frames + k] = (struct dem_device_frame){
                 .pose = w->frame[k].pose, .displacement = w->frame[k].displacement};
         }
+        if (s == *n)
+        {
+            break;
+        }
         *n = w->displacement <= steps->max_displacement ? *n : s;
         /* a margin for rounding to float */
         limit = fminf(limit, (float)(rest_of_lists(state, steps, skin)*(1.0 - 1e-6)));
         batch->limit[s] = limit;
     }
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->frames, frames*DEM_DEVICE_BATCH*sizeof *d->frame));
-    return dem_opencl_write(d->cl, &d->frames, 0, frames**n*sizeof *d->frame, d->frame);
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->frames, frames*(DEM_DEVICE_BATCH + 1)*sizeof *d->frame));
+    return dem_opencl_write(d->cl, &d->frames, 0, frames*(*n + (uint32_t)next)*sizeof *d->frame, d->frame);
 }
 
 /* Leave the walls where they are in the last step made, or in the first, which the host makes. */

@@ -196,16 +196,16 @@ static int dem_spring_kind(const struct dem_spring_rows *h, int m)
 
 static double dem_spring_get(const struct dem_spring_rows *h, int m, uint row)
 {
-    return h->touch[row] ? h->history[(size_t)m*h->stride + row] : 0.0;
+    return h->touch[row] & DEM_DEVICE_TOUCHES ? h->history[(size_t)m*h->stride + row] : 0.0;
 }
 
 static void dem_spring_put(const struct dem_spring_rows *h, int m, uint row, double value)
 {
-    for (int c = 0; !h->touch[row] && c < h->columns; c++)
+    for (int c = 0; !(h->touch[row] & DEM_DEVICE_TOUCHES) && c < h->columns; c++)
     {
         h->history[(size_t)c*h->stride + row] = 0.0;
     }
-    h->touch[row] = 1;
+    h->touch[row] = DEM_DEVICE_TOUCHES;
     h->history[(size_t)m*h->stride + row] = value;
 }
 

@@ -103,9 +103,9 @@ static void dem_fluid_eddy(global double *columns, uint n, uint i, double dt, ul
 }
 #endif
 
-/* The kick over h of velocities; v: also 1/m. */
+/* The kick over h of velocities; v: also 1/m. j: the impulse of drag [N s]. */
 static void dem_fluid_kick(global double *restrict columns, uint n, uint i, double h,
-                           struct dem_body_row *r, double4 *v)
+                           struct dem_body_row *r, double4 *v, double j[3])
 {
     const double4 before = *v;
 
@@ -148,9 +148,12 @@ static void dem_fluid_kick(global double *restrict columns, uint n, uint i, doub
     v->x += step*(r->fx + dx);
     v->y += step*(r->fy + dy);
     v->z += step*(r->fz + dz);
-    VECTOR(DRAG_IMPULSE, 0) += h*(phi*dx - (1.0 - phi)*r->fx);
-    VECTOR(DRAG_IMPULSE, 1) += h*(phi*dy - (1.0 - phi)*r->fy);
-    VECTOR(DRAG_IMPULSE, 2) += h*(phi*dz - (1.0 - phi)*r->fz);
+    j[0] = h*(phi*dx - (1.0 - phi)*r->fx);
+    j[1] = h*(phi*dy - (1.0 - phi)*r->fy);
+    j[2] = h*(phi*dz - (1.0 - phi)*r->fz);
+    VECTOR(DRAG_IMPULSE, 0) += j[0];
+    VECTOR(DRAG_IMPULSE, 1) += j[1];
+    VECTOR(DRAG_IMPULSE, 2) += j[2];
     SCALAR(DECAY_FACTOR) *= 1.0 - z*phi;
     SCALAR(DRAG_TIME) += particle_drag*h;
 #ifdef COLUMN_OTHER_IMPULSE
@@ -206,13 +209,15 @@ static void dem_to_parcel(double ratio, const struct dem_body_row *parcel, struc
 }
 
 #ifdef COLUMN_ANGULAR_IMPULSE
-/* The kick of one component of the spin by the contact torque M and rotational drag. */
-static double dem_fluid_turn(global double *restrict impulse, double h, double over, double drag,
-                             double target, double M, double w)
+/* The kick of one component of the spin by the contact torque M and rotational drag, whose impulse
+   [N m s] joins the sum. */
+static double dem_fluid_turn(global double *restrict sum, double h, double over, double drag,
+                             double target, double M, double w, double *impulse)
 {
     const double z = drag*h*over, phi = dem_phi(z), step = phi*h*over, by = target - drag*w;
 
-    *impulse += h*(phi*by - (1.0 - phi)*M);
+    *impulse = h*(phi*by - (1.0 - phi)*M);
+    *sum += *impulse;
     return w + step*(M + by);
 }
 #endif

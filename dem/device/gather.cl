@@ -138,26 +138,27 @@ static double dem_wall_touch(global const struct dem_facet *restrict in_memory,
     return distance;
 }
 
-/* What a wall that is curved, moves or conveys changes: relative velocities, the normal of half a
-   step ago, the reduced radius. */
-static void dem_row_add_surface(global const struct dem_facet *restrict in_memory,
-                                global const struct dem_device_frame *restrict frames,
-                                global const struct dem_wall_drive *restrict drives, double4 v,
-                                const double point[3], double distance, struct dem_gathered *g,
-                                struct dem_contact_row *r)
+/* Velocity of a wall's surface at a contact, and spin of the wall (dem_wall_surface_motion). ahead: the
+   contact point is that before the motion. */
+static void dem_wall_motion(global const struct dem_facet *restrict in_memory,
+                            global const struct dem_device_frame *restrict frames,
+                            global const struct dem_wall_drive *restrict drives, int ahead,
+                            const double point[3], const double normal[3], double velocity[3],
+                            double spin[3])
 {
     const struct dem_facet facet = *in_memory;
-    const double normal[3] = {r->nx, r->ny, r->nz};
-    struct dem_wall_displacement s = {.sine = 0.0};
     struct dem_pose pose;
-    double half_step[3];
 
-    double velocity[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};
-
+    for (int k = 0; k < 3; k++)
+    {
+        velocity[k] = spin[k] = 0.0;
+    }
     if (facet.wall >= 0)
     {
-        s = frames[facet.wall].displacement;
+        struct dem_wall_displacement s = frames[facet.wall].displacement;
+
         pose = frames[facet.wall].pose;
+        s.versine_rate = ahead ? -s.versine_rate : s.versine_rate;
         dem_wall_displacement_velocity(&s, point, velocity);
         spin[0] = s.sine_rate*s.axis[0];
         spin[1] = s.sine_rate*s.axis[1];
@@ -170,6 +171,28 @@ static void dem_row_add_surface(global const struct dem_facet *restrict in_memor
         dem_wall_drive_add(&drive, facet.wall >= 0 ? &pose : 0, &facet, point, normal, velocity,
                            spin);
     }
+}
+
+/* What a wall that is curved, moves or conveys changes: relative velocities, the normal of half a
+   step ago, the reduced radius. */
+static void dem_row_add_surface(global const struct dem_facet *restrict in_memory,
+                                global const struct dem_device_frame *restrict frames,
+                                global const struct dem_wall_drive *restrict drives, double4 v,
+                                const double point[3], double distance, struct dem_gathered *g,
+                                struct dem_contact_row *r)
+{
+    const struct dem_facet facet = *in_memory;
+    const double normal[3] = {r->nx, r->ny, r->nz};
+    struct dem_wall_displacement s = {.sine = 0.0};
+    struct dem_pose pose;
+    double half_step[3], velocity[3], spin[3];
+
+    if (facet.wall >= 0)
+    {
+        s = frames[facet.wall].displacement;
+        pose = frames[facet.wall].pose;
+    }
+    dem_wall_motion(in_memory, frames, drives, 0, point, normal, velocity, spin);
     g->vx[0] -= velocity[0];
     g->vy[0] -= velocity[1];
     g->vz[0] -= velocity[2];
@@ -218,6 +241,9 @@ static void dem_row_of_wall(global const double4 *restrict record,
     }
     const double distance = h < 4.0*x.w ? h : 4.0*x.w;
 
+    g.rx[0] = distance*normal[0];
+    g.ry[0] = distance*normal[1];
+    g.rz[0] = distance*normal[2];
     g.vx[0] = v.x;
     g.vy[0] = v.y;
     g.vz[0] = v.z;

@@ -433,7 +433,7 @@ kernel void lists_history(constant struct dem_device_lists *l,
                       ? r
                       : UINT_MAX;
         }
-        const int known = was != UINT_MAX && old_touch[was];
+        const int known = was != UINT_MAX && old_touch[was] & DEM_DEVICE_TOUCHES;
 
         touch[row] = l->keep_all || known;
         for (uint m = 0; (known || l->keep_all) && m < l->columns; m++)

@@ -9,8 +9,10 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "device/device_columns.h"
+#include "device/program_balance.h"
 #include "device/program_scalars.h"
 #include "device/program_texts.h"
+#include "device/shared.h"
 #include "laws/effects.h"
 #include "laws/fluid/eddy.h"
 #include "walls/spring_kinds.h"
@@ -25,6 +27,7 @@ struct composer
     const struct dem_walls *walls;
     int viscosity;                /* 1: particles have the viscosity of the fluid around them */
     int scalars;                  /* particle scalars in lists of laws */
+    struct dem_program_balance balance;
 };
 
 /* ---- laws ------------------------------------------------------------------------------------ */
@@ -59,9 +62,7 @@ static const struct dem_device_text *law_text(const struct dem_effect *e)
 
 const char *dem_device_effect_refusal(const struct dem_effect *e)
 {
-    return e->needs & DEM_NEEDS_DISSIPATION ? "needs an energy balance"
-           : law_text(e) || e->eddies       ? NULL
-                                            : "has no text for devices";
+    return law_text(e) || e->eddies ? NULL : "has no text for devices";
 }
 
 /* The settings of an effect: settings_<class>_<k>, a constant of the program. */
@@ -182,14 +183,19 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
     {
         add_settings(c, class, k, &list->entry[k]);
     }
-    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h%s)\n{\n", class,
-                 c->scalars ? ", struct dem_row_scalars *q" : "");
+    dem_text_add(c->out, "static void laws_%s(struct dem_contact_row *r, double *h%s%s)\n{\n", class,
+                 c->scalars ? ", struct dem_row_scalars *q" : "",
+                 c->balance.of->open ? ", struct dem_row_balance *e" : "");
     for (int k = 0; k < list->entries; k++)
     {
         if (list->entry[k].effect->replace_contact)
         {
             add_row_call(c, class, list, h, k, "replace_row");
         }
+    }
+    if (c->balance.of->open)
+    {
+        dem_text_add(c->out, "    dem_balance_begin(e, r, %d);\n", list->pair.with_wall);
     }
     for (int k = 0; k < list->entries; k++)
     {
@@ -203,8 +209,11 @@ static void add_laws(struct composer *c, const struct dem_effect_list *list, con
             }
         }
         damped |= past_damping;
+        dem_program_balance_before(&c->balance, list->entry[k].effect, h->first[k]);
         add_row_call(c, class, list, h, k, "row");
         add_clear(c, list, h, k);
+        dem_program_balance_after(&c->balance, list, k, h->first[k],
+                                  law_name(list->entry[k].effect), class);
     }
     dem_text_add(c->out, "}\n");
 }
@@ -230,10 +239,11 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
     DEM_TRY(dem_program_include_name(&c->texts, "device/test.cl"));
     dem_text_add(c->out, "#define KERNEL rows_%d\n#define WITH_WALL %d\n#define MOMENTS %d\n"
                  "#define ENERGY %d\n#define RANDOM %d\n#define SURFACE %d\n"
-                 "#define VISCOSITY %d\n#define CLASS_SCALARS %d\n", class,
+                 "#define VISCOSITY %d\n#define CLASS_SCALARS %d\n#define HEATS %d\n", class,
                  list->pair.with_wall, table->moments, table->past_touching,
                  (list->needs & DEM_NEEDS_RANDOM) != 0, !c->walls->all_flat_static,
-                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY, list->scalars > 0);
+                 c->viscosity && list->needs & DEM_NEEDS_VISCOSITY, list->scalars > 0,
+                 (list->needs & DEM_NEEDS_DISSIPATION) != 0);
     return dem_program_include_name(&c->texts, "device/rows.cl");
 }
 
@@ -278,19 +288,26 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
             add_settings(c, "body", k, &list->entry[k]);
         }
     }
-    dem_text_add(c->out, "#define PARCEL_RATIO q->value[%d]\nstatic void body_laws(struct dem_body_row *r%s)\n{\n",
-                 list->parcel_scalar, c->scalars ? ", struct dem_particle_scalars *q" : "");
+    dem_text_add(c->out, "#define PARCEL_RATIO q->value[%d]\nstatic void body_laws(struct dem_body_row *r%s%s)\n{\n",
+                 list->parcel_scalar, c->scalars ? ", struct dem_particle_scalars *q" : "",
+                 c->balance.of->open ? ", struct dem_particle_balance *e" : "");
     dem_text_add(c->out, list->grains ? "    struct dem_body_row parcel;\n\n" : "");
     for (int k = 0; k < list->entries; k++)
     {
         if (!list->entry[k].effect->eddies)
         {
+            dem_text_add(c->out, c->balance.of->open ? "    dem_balance_before_law(e, r, %d);\n" : "", k);
             add_call(c, "body", k, &list->entry[k], "row", "");
+            dem_text_add(c->out, c->balance.of->open ? "    dem_balance_after_law(e, r, %d);\n" : "", k);
         }
     }
-    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS %s\n#define MOMENTS %d\n"
-                 "#define PAST_TOUCHING %d\n", c->scalars ? "&r, &q" : "&r", table->moments,
-                 table->past_touching);
+    dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS &r%s%s\n#define MOMENTS %d\n"
+                 "#define PAST_TOUCHING %d\n", c->scalars ? ", &q" : "",
+                 c->balance.of->open ? ", &e" : "", table->moments, table->past_touching);
+    if (c->balance.of->open)
+    {
+        dem_program_balance_bodies(&c->balance, list);
+    }
     DEM_TRY(dem_program_include_name(&c->texts, "device/loads.cl"));
     return dem_program_include_name(&c->texts, "device/bodies.cl");
 }
@@ -324,7 +341,10 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     dem_text_add(c->out, "#define FLUID %d\n#define WHOLE_DRAG %d\n",
                  dem_device_columns_text(particles, c->out), table->bodies.whole_drag);
     c->viscosity = particles->batch.n > 0;
+    dem_program_balance_sums(&c->balance);
     DEM_TRY(dem_program_include_name(&c->texts, "device/gather.cl"));
+    DEM_TRY(dem_program_include_name(&c->texts, "device/sums.cl"));
+    DEM_TRY(c->balance.of->open ? dem_program_include_name(&c->texts, "device/balance.cl") : DEM_OK);
     DEM_TRY(add_facets(c, table));
     c->scalars = table->listed;
     dem_device_scalars_text(c->out, table);
@@ -347,9 +367,11 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
 
 int dem_device_program(const struct dem_interaction_table *table,
                        const struct dem_particles *particles, const struct dem_walls *walls,
-                       struct dem_text *text)
+                       const struct dem_energy_balance *balance, struct dem_text *text)
 {
-    struct composer c = {.out = text, .texts = {.out = text}, .walls = walls};
+    struct composer c = {.out = text, .texts = {.out = text}, .walls = walls,
+                         .balance = {.out = text, .of = balance,
+                                     .first = DEM_DEVICE_WALL_SUMS*(unsigned)walls->walls}};
     const int status = compose(&c, table, particles);
 
     return status ? status : text->status;

@@ -13,12 +13,14 @@
 #include "core/text.h"
 #include "laws/interaction_table.h"
 #include "particles/particles.h"
+#include "records/energy_balance.h"
 #include "walls/walls.h"
 
 /* The particles give the columns of a fluid; the walls, whether any is curved or moves, and whether
-   there are several facets. The caller frees the text. */
+   there are several facets; the balance, whether energies are summed. The caller frees the text. */
 int dem_device_program(const struct dem_interaction_table *, const struct dem_particles *,
-                       const struct dem_walls *, struct dem_text *);
+                       const struct dem_walls *, const struct dem_energy_balance *,
+                       struct dem_text *);
 
 /* 1 when contacts with walls have a kernel of their own (facets.cl). */
 int dem_device_has_facets(const struct dem_walls *);

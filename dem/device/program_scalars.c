@@ -55,7 +55,12 @@ void dem_device_scalars_after(struct dem_text *out, const struct dem_effect_entr
 
 void dem_device_scalars_text(struct dem_text *out, const struct dem_interaction_table *r)
 {
-    int exchange = r->scalars;
+    int exchange = r->scalars, heat = -1;
+
+    for (int k = 0; k < r->scalars; k++)
+    {
+        heat = r->scalar[k]->flags & DEM_SCALAR_HEAT ? k : heat;
+    }
 
     dem_text_add(out, "#define SCALARS %d\n#define RATES %d\n", r->listed, r->contact_scalars);
     if (r->listed == 0)
@@ -78,7 +83,7 @@ void dem_device_scalars_text(struct dem_text *out, const struct dem_interaction_
     {
         dem_text_add(out, "%d, ", (r->scalar[k]->flags & DEM_SCALAR_RATE) != 0);
     }
-    dem_text_add(out, "};\nconstant double dem_scalar_limits[] = {");
+    dem_text_add(out, "};\n#define dem_scalar_heat %d\nconstant double dem_scalar_limits[] = {", heat);
     for (int k = 0; k < r->listed; k++)
     {
         dem_text_add(out, "%a, %a, ", fmax(r->scalar[k]->min, -DBL_MAX),

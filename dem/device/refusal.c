@@ -6,7 +6,6 @@
 #include "device/device_steps.h"
 #include "device/program.h"
 #include "device/shared.h"
-#include "records/energy_balance.h"
 #include <stdio.h>
 
 static int refuse_effects(const struct dem_effect_list *list, char *why, size_t size)
@@ -65,7 +64,6 @@ static const char *run_reason(const struct dem_state *state)
     const struct dem_particles *const p = &state->particles;
 
     return p->batch.n > 1                          ? "the fluid has scalars besides the viscosity"
-           : state->energy_balance->open           ? "there is an energy balance (write/energy)"
            : dem_column(p, DEM_COLUMN_CLUMP)       ? "particles form clumps (shapes)"
            : state->cell.active                    ? "the cell deforms (domain/cell)"
            : state->walls.passing > 0              ? "walls come or go (from, until)"

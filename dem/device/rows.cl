@@ -7,6 +7,7 @@
  *   WITH_WALL, PAST_TOUCHING, RANDOM, VISCOSITY, CLASS_SCALARS    1 or 0, as the host's effect list
  *   MOMENTS, ENERGY, SURFACE, FACETS    1 or 0, of all classes: there are moments; energies; walls that
  *                               are curved or move; contacts of facets.cl
+ *   BALANCE, HEATS              1 or 0: there is an energy balance; laws make heat of what is lost
  *
  * The arithmetic is the host's (step/fill_batch.c, step/store_forces.c): the same operations in the
  * same order. A row that does not touch leaves no force; touch[row] says so to the sums, and that the
@@ -26,7 +27,7 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
             global const struct dem_wall_drive *restrict drives,
             global const double4 *restrict contacts,
             global const struct dem_device_condition *restrict conditions,
-            global double *restrict rates)
+            global double *restrict rates, global long *sums)
 {
     const uint k = get_global_id(0), row = first + k;
     double h[COLUMNS + 1];
@@ -37,7 +38,8 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
     {
         return;
     }
-    const int was = PAST_TOUCHING || touch[row];
+    const uint before = touch[row];
+    const int was = PAST_TOUCHING || before & DEM_DEVICE_TOUCHES;
 
     dem_row_begin(b, s, &r);
 #if WITH_WALL
@@ -56,9 +58,9 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #if PAST_TOUCHING
     dem_row_add_gap(&g, &r);
 #else
-    if (r.touching == 0.0)
+    if (r.touching == 0.0 && !(BALANCE && was))
     {
-        if (was)
+        if (before)
         {
             touch[row] = 0;
         }
@@ -67,6 +69,14 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #endif
 #define LOAD_COLUMN(m, column) h[m] = was ? history[(size_t)(column)*b->stride + row] : 0.0;
     COLUMN_OF(LOAD_COLUMN)
+#if BALANCE
+    struct dem_row_balance e = {.to = {b, report, sums, s}};
+
+    dem_balance_gather(record, partners[row], WITH_WALL, &g, &e);
+#define WITH_BALANCE , &e
+#else
+#define WITH_BALANCE
+#endif
 #if SCALARS
     struct dem_row_scalars q;
 
@@ -80,17 +90,27 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
     q.radius[0] = record[4*(size_t)partners[row].x].w;
     q.radius[1] = WITH_WALL ? q.radius[0]
                             : record[4*(size_t)(partners[row].y & ((1u << 27) - 1))].w;
-    LAWS(&r, h, &q);
+    LAWS(&r, h, &q WITH_BALANCE);
+#ifdef ENERGY_HEATED
+    dem_balance_heat(&e, &r, HEATS, WITH_WALL, q.rate[0][dem_scalar_heat]);
+#endif
     if (RATES)
     {
         dem_row_scalars_end(rates, row, &q);
     }
 #else
-    LAWS(&r, h);
+    LAWS(&r, h WITH_BALANCE);
+#endif
+#if BALANCE && !PAST_TOUCHING
+    if (r.touching == 0.0)
+    {
+        touch[row] = SCALARS && RATES ? DEM_DEVICE_RATED : 0;
+        return;
+    }
 #endif
     if (!was)
     {
-        touch[row] = 1;
+        touch[row] = DEM_DEVICE_TOUCHES;
     }
 #define STORE_COLUMN(m, column) history[(size_t)(column)*b->stride + row] = h[m];
     COLUMN_OF(STORE_COLUMN)
@@ -124,3 +144,5 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #undef SURFACE
 #undef VISCOSITY
 #undef CLASS_SCALARS
+#undef HEATS
+#undef WITH_BALANCE

@@ -4,7 +4,7 @@
  *
  * The host defines SCALARS, their number; RATES, 1 if contacts have rates; and for each scalar
  * dem_scalar_column, where its values are; dem_scalar_exchange, where its exchange begins (-1: none);
- * dem_scalar_rated, 1 if it changes; dem_scalar_limits; and dem_scalar_capacity by scalar and material.
+ * dem_scalar_rated, 1 if it changes; dem_scalar_heat, the one whose content is energy, or -1; dem_scalar_limits; and dem_scalar_capacity by scalar and material.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -18,6 +18,7 @@ struct dem_row_scalars    /* of both partners */
 struct dem_particle_scalars
 {
     double value[SCALARS], rate[SCALARS], coefficient[SCALARS], to_target[SCALARS];
+    double heated, from_contacts;    /* W  heat of this step, and what contacts add to it */
 };
 
 static global const double *dem_scalar_values(global const double *columns, uint n, int k)
@@ -70,6 +71,7 @@ static void dem_particle_scalars_begin(global double *columns, uint n, uint i, d
                                        global const uint *start, global const uint *entry,
                                        struct dem_particle_scalars *q)
 {
+    q->heated = q->from_contacts = 0.0;
     for (int k = 0; k < SCALARS; k++)
     {
         q->value[k] = dem_scalar_values(columns, n, k)[i];
@@ -78,8 +80,10 @@ static void dem_particle_scalars_begin(global double *columns, uint n, uint i, d
         {
             const uint row = entry[e] >> 1;
 
+            /* also where surfaces have just come apart */
             q->rate[k] += touch[row] ? rates[2*((size_t)row*SCALARS + k) + (entry[e] & 1)] : 0.0;
         }
+        q->from_contacts = dem_scalar_heat == k ? q->rate[k] : q->from_contacts;
         if (dem_scalar_exchange[k] >= 0)
         {
             const double b = *dem_scalar_exchanged(columns, n, i, k, DEM_DEVICE_COEFFICIENT);
@@ -95,7 +99,7 @@ static void dem_particle_scalars_begin(global double *columns, uint n, uint i, d
 
 /* The step h of all scalars. Returns 1 when a value is out of its range. */
 static int dem_particle_scalars_end(global double *columns, uint n, uint i, double h, double mass,
-                                    uint material, const struct dem_particle_scalars *q)
+                                    uint material, struct dem_particle_scalars *q)
 {
     int bad = 0;
 
@@ -112,6 +116,7 @@ static int dem_particle_scalars_end(global double *columns, uint n, uint i, doub
                      value = q->value[k] + phi*per_capacity*rate;
 
         columns[(size_t)dem_scalar_column[k]*n + i] = value;
+        q->heated = dem_scalar_heat == k ? phi*rate : q->heated;
         bad |= !(value >= dem_scalar_limits[2*k] && value <= dem_scalar_limits[2*k + 1]);
         if (dem_scalar_exchange[k] >= 0)
         {

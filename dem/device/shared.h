@@ -16,6 +16,9 @@ enum
     DEM_DEVICE_SUM = 72,        /* digits of an exact sum, and some */
     DEM_DEVICE_WAKE_DRAG = 9,   /* DEM_OWN_WAKE_DRAG */
     DEM_DEVICE_WAKE = 11,       /* numbers of an own wake (DEM_OWN_WAKE_WIDTH) */
+    DEM_DEVICE_COPIES = 32,     /* of an exact sum, at most */
+    DEM_DEVICE_WALL_SUMS = 7,   /* load and work of a wall */
+    DEM_DEVICE_LAWS = 16,       /* DEM_EFFECT_LIST_LIMIT */
     DEM_DEVICE_MATERIALS = 32,  /* as DEM_MATERIALS */
     DEM_DEVICE_NEAR = 16,       /* facets that one particle touches, at most */
     DEM_DEVICE_TRIANGLE_BITS = 23,    /* of a candidate; above them its image: three bits an axis */
@@ -37,6 +40,12 @@ enum dem_device_event           /* what the host has to handle; it repeats the s
     DEM_DEVICE_BROKE = 8,       /* a bond */
     DEM_DEVICE_FACETS = 16,     /* a particle touches too many facets */
     DEM_DEVICE_ABSORBED = 32    /* one touches a wall that absorbs it */
+};
+
+enum    /* of a contact row, in a byte */
+{
+    DEM_DEVICE_TOUCHES = 1,     /* it has a force and a history */
+    DEM_DEVICE_RATED = 2        /* it has come apart in this step, and has rates of scalars */
 };
 
 /* a moving wall in a step. On the device the member `wall` of a facet is its frame, -1: at rest; and
@@ -123,7 +132,7 @@ struct dem_device_batch
 {
     double dt, inverse_dt, max_dt;          /* s, 1/s, s */
     double window_start;                    /* s  step k of the window ends at start + k dt */
-    double over_window;                     /* 1/s  of the window's length; 0 without */
+    double window, over_window;             /* s, 1/s  the window's length; 0 without */
     int64_t first, first_of_all;            /*    k of the first step of the batch; of its advance */
     double max_overlap;                     /* 1  an overlap over the smaller radius ends the run */
     float overlap;                          /* 1  of the report, so far */
@@ -133,6 +142,8 @@ struct dem_device_batch
     uint32_t walls;                         /*    the first row of a wall */
     uint32_t frames;                        /*    of moving walls, for each step */
     uint32_t applied;                       /*    forces of the scene */
+    uint32_t copies;                        /*    of each exact sum: a power of two */
+    int loads, work;                        /* 1: sums of loads on walls; of the work of walls that move */
     int64_t number;                         /*    of the first step of the batch, in the run */
 };
 

@@ -9,6 +9,11 @@
 #ifndef DEM_TEST_GET
 #define DEM_TEST_GET(column) r.column = *in++;
 #define DEM_TEST_PUT(column) *out++ = r.column;
+#if BALANCE
+#define WITHOUT_BALANCE , 0
+#else
+#define WITHOUT_BALANCE
+#endif
 #endif
 
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
@@ -46,9 +51,9 @@ void TEST(uint rows, uint numbers, global const double *in, global const double 
         q.value[1][k] = 0.02*cube;
         q.rate[0][k] = q.rate[1][k] = 0.0;
     }
-    LAWS(&r, h, &q);
+    LAWS(&r, h, &q WITHOUT_BALANCE);
 #else
-    LAWS(&r, h);
+    LAWS(&r, h WITHOUT_BALANCE);
 #endif
     DEM_ROW_COLUMNS(DEM_TEST_PUT)
     for (int m = 0; m < COLUMNS; m++)

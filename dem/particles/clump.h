@@ -53,6 +53,7 @@ struct dem_clumps
     uint32_t *member;            /* particles in the order of their ids */
     size_t start_capacity, member_capacity;
     struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
+    struct dem_clump_heat *heat; /* NULL: they have no temperature; step/clump_heat.h */
 };
 
 /* The body of a particle that belongs to one. */

@@ -25,6 +25,8 @@ void dem_clump_flow_free(struct dem_clump_flow *f)
 {
     dem_memory_free(f->form);
     dem_memory_free(f->row);
+    dem_memory_free(f->own);
+    dem_memory_free(f->before);
     *f = (struct dem_clump_flow){.form = NULL};
 }
 
@@ -62,23 +64,19 @@ const struct dem_clump_form *dem_clump_flow_form(const struct dem_clump_flow *f,
 
 /* ---- motion ---------------------------------------------------------------------------------- */
 
-struct sums    /* over the spheres of a body */
-{
-    double force[3], torque[3];      /* N, N m  F without drag; all moments */
-    double slip_force[3];            /* N  D */
-    double drag, spin_drag;          /* kg/s, kg m2/s  B; of z_r */
-};
-
-static void add_rows(const struct dem_clump_flow *f, const struct dem_clumps *c, size_t body,
-                     const struct dem_particles *p, struct sums *s)
+void dem_clump_flow_sum(const struct dem_clump_flow *f, const struct dem_clumps *c, size_t body,
+                        const struct dem_particles *p, double h, struct dem_clump_flow_sums *s)
 {
     const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+    const double least = fmin(b->inertia[0], fmin(b->inertia[1], b->inertia[2]));
 
+    *s = (struct dem_clump_flow_sums){.drag = 0.0};
+    dem_clump_contact_sums(c, body, p, s->force, s->torque);
     for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
     {
         const size_t i = c->member[k];
         const struct dem_clump_flow_row *const r = &f->row[i];
-        double arm[3], moment[3], all[3];
+        double arm[3], moment[3], of_slip[3], all[3];
 
         dem_clump_rotate(b->q, dem_clump_at(p, i)->offset, arm);
         for (int a = 0; a < 3; a++)
@@ -88,37 +86,54 @@ static void add_rows(const struct dem_clump_flow *f, const struct dem_clumps *c,
             all[a] = r->force[a] + r->slip_force[a];
         }
         dem_vec_cross(arm, all, moment);
+        dem_vec_cross(arm, r->slip_force, of_slip);
         for (int a = 0; a < 3; a++)
         {
             s->torque[a] += moment[a] + r->spin_torque[a];
+            s->slip_torque[a] += of_slip[a] + r->spin_torque[a];
+            s->spin_torque[a] += r->spin_torque[a];
         }
         s->drag += r->drag;
         s->spin_drag += r->drag*dem_vec_dot(arm, arm) + r->spin_drag;
     }
+    s->z = s->drag*h/b->mass;
+    s->phi = dem_phi(s->z);
+    s->phi_spin = dem_phi(s->spin_drag*h/least);
+}
+
+void dem_clump_flow_drag(const struct dem_clump_flow_row *r, const struct dem_clump_flow_sums *s, double h,
+                         double J[3])
+{
+    const double part = s->drag > 0.0 ? r->drag/s->drag : 0.0;
+
+    for (int a = 0; a < 3; a++)
+    {
+        J[a] = h*(s->phi*r->slip_force[a] - (1.0 - s->phi)*part*s->force[a]);
+    }
 }
 
 /* What a sphere of the body adds to the columns that the fluid reads. */
-static void add_impulses(const struct dem_clump_flow_row *r, const struct sums *s, struct dem_particles *p,
-                         size_t i, double h, double z, double phi, double phi_spin)
+static void add_impulses(const struct dem_clump_flow_row *r, const struct dem_clump_flow_sums *s,
+                         struct dem_particles *p, size_t i, double h)
 {
     double *const other = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
            *const angular = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE);
-    const double part = s->drag > 0.0 ? r->drag/s->drag : 0.0;
+    double J[3];
 
+    dem_clump_flow_drag(r, s, h, J);
     for (size_t a = 0; a < 3; a++)
     {
-        dem_column(p, DEM_COLUMN_DRAG_IMPULSE)[3*i + a] +=
-            h*(phi*r->slip_force[a] - (1.0 - phi)*part*s->force[a]);
+        dem_column(p, DEM_COLUMN_DRAG_IMPULSE)[3*i + a] += J[a];
         if (other)
         {
             other[3*i + a] += h*r->reaction[a];
         }
         if (angular)
         {
-            angular[3*i + a] += h*phi_spin*r->spin_torque[a];
+            angular[3*i + a] += h*s->phi_spin*r->spin_torque[a];
         }
     }
-    dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i] *= 1.0 - z*phi;
+    dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i] *= 1.0 - s->z*s->phi;
     dem_column(p, DEM_COLUMN_DRAG_TIME)[i] += r->particle_drag*h;
 }
 
@@ -128,22 +143,17 @@ void dem_clump_flow_kick(const struct dem_clump_flow *f, const struct dem_clumps
     for (size_t body = 0; body < c->n; body++)
     {
         struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
-        const double least = fmin(b->inertia[0], fmin(b->inertia[1], b->inertia[2]));
-        struct sums s = {.drag = 0.0};
+        struct dem_clump_flow_sums s;
 
-        dem_clump_contact_sums(c, body, p, s.force, s.torque);
-        add_rows(f, c, body, p, &s);
-        const double z = s.drag*h/b->mass, phi = dem_phi(z);
-        const double phi_spin = dem_phi(s.spin_drag*h/least);
-
+        dem_clump_flow_sum(f, c, body, p, h, &s);
         for (int a = 0; a < 3; a++)
         {
-            b->v[a] += phi*h/b->mass*(s.force[a] + s.slip_force[a]);
-            b->momentum[a] += h*phi_spin*s.torque[a];
+            b->v[a] += s.phi*h/b->mass*(s.force[a] + s.slip_force[a]);
+            b->momentum[a] += h*s.phi_spin*s.torque[a];
         }
         for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
         {
-            add_impulses(&f->row[c->member[k]], &s, p, c->member[k], h, z, phi, phi_spin);
+            add_impulses(&f->row[c->member[k]], &s, p, c->member[k], h);
         }
         dem_clump_spread(c, body, p);
     }

@@ -37,6 +37,7 @@
 struct dem_clump_flow_row
 {
     double share;                     /* 1 */
+    double surface;                   /* 1  times the surface of the body over that of the sphere */
     double drag, particle_drag;       /* kg/s  b_k; without the slip factor */
     double slip_force[3];             /* N  d_k */
     double force[3], reaction[3];     /* N  f_k; part of it whose opposite acts on the fluid */
@@ -49,6 +50,18 @@ struct dem_clump_flow
     struct dem_clump_form *form;      /* of each shape */
     struct dem_clump_flow_row *row;   /* of each particle, valid for bodies in a kick */
     size_t capacity;
+    double *own, *before;             /* for the energy balance, step/clump_energy.c */
+    size_t own_capacity, before_capacity;
+};
+
+struct dem_clump_flow_sums            /* over the spheres of a body */
+{
+    double force[3], torque[3];       /* N, N m  F; T and all moments */
+    double slip_force[3];             /* N  D */
+    double slip_torque[3];            /* N m  part of torque: moments of all d_k, and the next */
+    double spin_torque[3];            /* N m  sum t_k (o_k - w) */
+    double drag, spin_drag;           /* kg/s, kg m2/s  B; of z_r */
+    double z, phi, phi_spin;          /* 1 */
 };
 
 /* `areas` 1: a law takes projected areas. To be freed also after a failure. */
@@ -65,6 +78,12 @@ const struct dem_clump_form *dem_clump_flow_form(const struct dem_clump_flow *,
 /* dem_clumps_kick in a fluid: the bodies by their rows, and the columns of impulses on the fluid. */
 void dem_clump_flow_kick(const struct dem_clump_flow *, const struct dem_clumps *,
                          struct dem_particles *, double h);
+
+/* Its parts: the sums in a kick over h [s]; J_k of a sphere. */
+void dem_clump_flow_sum(const struct dem_clump_flow *, const struct dem_clumps *, size_t body,
+                        const struct dem_particles *, double h, struct dem_clump_flow_sums *);
+void dem_clump_flow_drag(const struct dem_clump_flow_row *, const struct dem_clump_flow_sums *, double h,
+                         double J[3]);
 
 /* At the end of a window: give each sphere the decay factor of its body. The response of a body
    (step/body_window.c) is then the sum over its spheres. */

@@ -212,11 +212,11 @@ void dem_clump_form_make(struct dem_clump_form *f, const struct dem_clump_shape 
     memset(f, 0, sizeof *f);
     f->volume = s->volume;
     f->radius = s->n == 1 ? s->sphere[0][3] : dem_pow(s->volume/(4.0/3.0*pi), 1.0/3.0);
-    f->sphericity = 1.0;
-    if (areas && s->n > 1)
+    f->surface = s->n > 1 ? surface(s) : 4.0*pi*f->radius*f->radius;
+    f->sphericity = s->n > 1 ? 4.0*pi*f->radius*f->radius/f->surface : 1.0;
+    f->areas = areas && s->n > 1;
+    if (f->areas)
     {
-        f->surface = surface(s);
-        f->sphericity = 4.0*pi*f->radius*f->radius/f->surface;
         fill(f, s, 0);
         fill(f, s, 1);
     }
@@ -229,6 +229,6 @@ void dem_clump_form_along(const struct dem_clump_form *f, const double n[3], dou
     const double square = dem_vec_dot(n, n);
     const double *const along = square > 0.0 && square < INFINITY ? n : axis;
 
-    *crosswise = f->surface > 0.0 ? 1.0/interpolated(f, along, 0) : 1.0;
-    *lengthwise = f->surface > 0.0 ? 1.0/interpolated(f, along, 1) : 1.0;
+    *crosswise = f->areas ? 1.0/interpolated(f, along, 0) : 1.0;
+    *lengthwise = f->areas ? 1.0/interpolated(f, along, 1) : 1.0;
 }

@@ -35,11 +35,12 @@ struct dem_clump_form
     double radius, volume;        /* m, m3  of the volume-equivalent sphere */
     double surface;               /* m2 */
     double sphericity;            /* 1 */
+    int areas;                    /* 1: the next are known */
     /* 1/phi_c and 1/phi_l at the nodes of the faces across the axes 1, 2, 3 */
     double inverse[3][DEM_CLUMP_FORM_NODES][DEM_CLUMP_FORM_NODES][2];
 };
 
-/* `areas` 0: volume and radius only. */
+/* `areas` 0: no projected areas. */
 void dem_clump_form_make(struct dem_clump_form *, const struct dem_clump_shape *, int areas);
 
 /* Crosswise and lengthwise sphericity for a slip along n, of any length; in principal axes. */

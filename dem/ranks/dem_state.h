@@ -82,6 +82,8 @@ struct dem_window
 struct dem_next_drift
 {
     int done;
+    /* 1: its work is in the energy balance and in the wall statistics */
+    int counted;
     /* m/s  largest speed in it */
     double max_speed;
 };

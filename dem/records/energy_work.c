@@ -206,6 +206,11 @@ void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct de
         for (int c = 0; c < k->rows && !potential; c++)
         {
             const struct dem_particle *const r = &p->record[k->first + (size_t)c];
+
+            if (r->body)    /* step/clump_energy.c */
+            {
+                continue;
+            }
             const double v[3] = {0.5*(r->v[0] + k->batch->vx[c]),
                                  0.5*(r->v[1] + k->batch->vy[c]),
                                  0.5*(r->v[2] + k->batch->vz[c])};

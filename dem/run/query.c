@@ -256,25 +256,8 @@ int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double t
     return dem_api_agree(d, dem_bonds_write_lines(&d->state, d->heading, folder, file, time));
 }
 
-/* A device sums loads on walls, not the work of walls that move. */
-static void drop_device(struct dem *d)
-{
-    const struct dem_walls *const w = &d->state.walls;
-
-    for (int k = 0; k < w->walls && d->state.device; k++)
-    {
-        if (w->wall[k].frame >= 0 || w->wall[k].driven)
-        {
-            dem_device_free(&d->state);
-            snprintf(d->device, sizeof d->device, "the CPU makes all steps, not device %s: the work of wall "
-                     "%s is asked for (write/walls)", d->scene.device, w->wall[k].name);
-        }
-    }
-}
-
 int dem_wall_impulse_reset(struct dem *d)
 {
-    drop_device(d);
     return dem_wall_statistics_begin(d->state.wall_statistics, d->state.walls.walls);
 }
 

@@ -33,6 +33,17 @@ static struct dem_particle make_particle(const struct dem_insert_group *b,
     return p;
 }
 
+/* The scalars of the particle added last: of particle or body `number`. */
+static void set_scalars(struct dem_initial_particles *c, const struct dem_insert_group *b, int64_t number)
+{
+    for (int k = 0; k < c->scalars; k++)
+    {
+        dem_initial_particles_last_scalars(c)[k] =
+            b->scalars[k] ? b->scalars[k][number]
+                          : dem_scalar_draw(&b->scalar[k], k, (uint64_t)b->seed, (uint64_t)number);
+    }
+}
+
 /* Add the spheres of a body. */
 static int add_clump(struct dem_initial_particles *c, const struct dem_insert_group *b,
                      double density, const struct dem_particle *p, int64_t number)
@@ -45,6 +56,7 @@ static int add_clump(struct dem_initial_particles *c, const struct dem_insert_gr
         DEM_TRY(dem_initial_particles_add(
             c, dem_clump_source_sphere(&b->clump, density, p, k, &body), b->where));
         c->clump[c->n - 1] = body;
+        set_scalars(c, b, number);
     }
     return DEM_OK;
 }
@@ -59,12 +71,7 @@ static int add_particle(struct dem_initial_particles *c, const struct dem_insert
         return add_clump(c, b, r->material[b->material].density, p, number);
     }
     DEM_TRY(dem_initial_particles_add(c, *p, b->where));
-    for (int k = 0; k < c->scalars; k++)
-    {
-        dem_initial_particles_last_scalars(c)[k] =
-            b->scalars[k] ? b->scalars[k][number]
-                          : dem_scalar_draw(&b->scalar[k], k, (uint64_t)b->seed, (uint64_t)number);
-    }
+    set_scalars(c, b, number);
     return DEM_OK;
 }
 

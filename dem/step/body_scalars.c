@@ -11,7 +11,7 @@
 #include "particles/scalars.h"
 #include <string.h>
 
-static double sum_of_contacts(const struct dem_contacts *c, int scalar, size_t particle)
+double dem_body_scalars_contacts(const struct dem_contacts *c, int scalar, size_t particle)
 {
     const struct dem_contact_rows *const rows = &c->rows;
     const size_t width = 2*(size_t)c->forces.rates;
@@ -64,7 +64,7 @@ void dem_body_scalars_gather(struct dem_body_scalars *s, const struct dem_scalar
         memset(s->to_target[k], 0, sizeof s->to_target[k]);
         for (int c = 0; c < rows && step->h > 0.0 && step->contacts->forces.rates; c++)
         {
-            s->rate[k][c] = sum_of_contacts(step->contacts, k, first + (size_t)c);
+            s->rate[k][c] = dem_body_scalars_contacts(step->contacts, k, first + (size_t)c);
         }
         if (step->h > 0.0 && step->table->exchanged[k])
         {
@@ -109,7 +109,7 @@ static void sum_exchange(const struct dem_body_scalars *s, const struct dem_scal
 static void sum_heat(const struct dem_scalar_step *step, int k, size_t particle, double rate)
 {
     const double contacts =
-        step->contacts->forces.rates ? sum_of_contacts(step->contacts, k, particle) : 0.0;
+        step->contacts->forces.rates ? dem_body_scalars_contacts(step->contacts, k, particle) : 0.0;
 
     dem_sum_add(step->heat, step->h*rate);
     dem_sum_add(step->heat, -step->h*contacts);
@@ -128,6 +128,11 @@ int dem_body_scalars_integrate(const struct dem_body_scalars *s, const struct de
         for (int c = 0; c < rows && r->scalar[k]->flags & DEM_SCALAR_RATE; c++)
         {
             const struct dem_particle *const q = &particles->record[first + (size_t)c];
+
+            if (q->body)    /* clump_heat.c */
+            {
+                continue;
+            }
             const double per_capacity =
                 step->h/dem_interaction_table_capacity(r, k, q->material, q->mass);
             const double B = s->coefficient[k][c], z = B*per_capacity;

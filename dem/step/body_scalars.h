@@ -28,9 +28,13 @@ struct dem_scalar_step
     const struct dem_contacts *contacts;        /* with the rates of rows */
     double h;                                   /* s  0: effects read scalars, none is changed */
     double window;                              /* s  over which CARRIED_OVER is spread; 0: none */
+    const struct dem_clump_heat *clumps;        /* clump_heat.h; NULL: none */
     struct dem_sum *heat;                       /* J  of what is not from contacts, of the scalar with
                                                    DEM_SCALAR_HEAT; NULL: not summed */
 };
+
+/* Sum of the rates of the contacts of a particle. */
+double dem_body_scalars_contacts(const struct dem_contacts *, int scalar, size_t particle);
 
 /* Gather the values of the particles [first, first + rows). With a step h > 0 rates begin with those
    of contacts and of the program; else they are not used. */
@@ -41,7 +45,7 @@ void dem_body_scalars_gather(struct dem_body_scalars *, const struct dem_scalar_
 void dem_body_scalars_select(struct dem_body_scalars *, struct dem_body_batch *,
                              const struct dem_effect_entry *);
 
-/* Integrate over the step. Returns the number of values that are out of their range. */
+/* Integrate over the step, but for the spheres of clumps. Returns the number of values that are out of their range. */
 int dem_body_scalars_integrate(const struct dem_body_scalars *, const struct dem_scalar_step *,
                                struct dem_particles *, size_t first, int rows);
 

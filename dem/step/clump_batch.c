@@ -6,6 +6,9 @@
  */
 #include "step/clump_batch.h"
 #include "core/error.h"
+#include "core/memory.h"
+#include "step/clump_energy.h"
+#include "step/clump_heat.h"
 
 void dem_clump_batch_begin(struct dem_clump_flow *f, struct dem_body_workspace *work,
                            const struct dem_particles *p, size_t first, int rows, double over_window)
@@ -27,6 +30,7 @@ void dem_clump_batch_begin(struct dem_clump_flow *f, struct dem_body_workspace *
         double along[3];
 
         f->row[i] = (struct dem_clump_flow_row){.share = p->record[i].mass/body->mass};
+        f->row[i].surface = f->row[i].share/form->sphericity;
         for (size_t a = 0; a < 3; a++)
         {
             f->row[i].force[a] = over_window*carried[3*i + a];
@@ -78,22 +82,35 @@ void dem_clump_batch_take(struct dem_clump_flow *f, struct dem_body_workspace *w
 
 int dem_index_clumps(struct dem_state *state)
 {
-    const int status = state->clumps.flow
-                           ? dem_clump_flow_reserve(state->clumps.flow, state->particles.n)
-                           : DEM_OK;
+    struct dem_clumps *const c = &state->clumps;
+    int status = c->flow ? dem_clump_flow_reserve(c->flow, state->particles.n) : DEM_OK;
 
-    return status ? status : dem_clumps_index(&state->clumps, &state->particles);
+    status = status || !c->flow || !state->energy_balance->open
+                 ? status
+                 : dem_clump_energy_reserve(c->flow, &state->interaction_table.bodies, state->particles.n);
+    status = status || !c->heat ? status : DEM_GROW(c->heat->row, c->heat->capacity, state->particles.n + 1);
+    return status ? status : dem_clumps_index(c, &state->particles);
 }
 
-void dem_kick_clumps(const struct dem_state *state, struct dem_particles *p, double h)
+int dem_kick_clumps(const struct dem_state *state, struct dem_particles *p, const struct dem_body_sweep *s)
 {
+    const struct dem_clumps *const c = &state->clumps;
     double gravity[3];
 
-    if (state->clumps.flow)
+    if (c->flow && s->energy_balance)
     {
-        dem_clump_flow_kick(state->clumps.flow, &state->clumps, p, h);
-        return;
+        dem_clump_energy_before(c, p);
+        dem_clump_flow_kick(c->flow, c, p, s->kick);
+        dem_clump_energy_after(s->energy_balance, &state->interaction_table.bodies, c, p, s->kick, s->window);
     }
-    dem_interaction_table_gravity(&state->interaction_table, gravity);
-    dem_clumps_kick(&state->clumps, p, gravity, h);
+    else if (c->flow)
+    {
+        dem_clump_flow_kick(c->flow, c, p, s->kick);
+    }
+    else
+    {
+        dem_interaction_table_gravity(&state->interaction_table, gravity);
+        dem_clumps_kick(c, p, gravity, s->kick);
+    }
+    return c->heat && s->scalars.h > 0.0 ? dem_clump_heat_integrate(c, &s->scalars, p) : 0;
 }

@@ -8,7 +8,7 @@
 
 #include "particles/clump_flow.h"
 #include "ranks/dem_state.h"
-#include "step/body_batch.h"
+#include "step/sweep_bodies.h"
 
 /* Before the effects: rows of a body get the radius, mass and volume of its volume-equivalent sphere,
    and its form; forces so far are set aside. `over_window` as in dem_body_batch_gather_fluid. */
@@ -23,8 +23,9 @@ void dem_clump_batch_take(struct dem_clump_flow *, struct dem_body_workspace *,
 /* Before the sweeps: list the spheres of the bodies (dem_clumps_index), room for their forces. */
 int dem_index_clumps(struct dem_state *);
 
-/* Kick the bodies over h [s], with or without a fluid, after the sweep over all particles. Pass the
-   particles of the state or of its backup. */
-void dem_kick_clumps(const struct dem_state *, struct dem_particles *, double h);
+/* After the sweep over all particles, with its options: kick the bodies, with or without a fluid, and
+   integrate their temperatures. Pass the particles of the state or of its backup. Returns the number of
+   temperatures that are out of their range. */
+int dem_kick_clumps(const struct dem_state *, struct dem_particles *, const struct dem_body_sweep *);
 
 #endif

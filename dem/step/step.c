@@ -91,12 +91,16 @@ static double drift(struct dem_state *state, int last)
     dem_walls_move(&state->walls, state->time, state->dt);
     dem_walls_advance(&state->walls, state->steps - state->window.steps_before,
                       state->window.steps);
-    dem_wall_statistics_add_work(state, 0.5*state->dt, 1);
-    if (state->energy_balance->open)
+    if (!state->next_drift.counted)
+    {
+        dem_wall_statistics_add_work(state, 0.5*state->dt, 1);
+    }
+    if (state->energy_balance->open && !state->next_drift.counted)
     {
         dem_energy_balance_after_drift(state, state->dt);
-        state->energy_balance->sums_elastic = last;
     }
+    state->energy_balance->sums_elastic = last;
+    state->next_drift.counted = 0;
     return max_speed;
 }
 
@@ -210,6 +214,7 @@ struct dem_body_sweep dem_step_sweep(const struct dem_state *state, double kick,
         .clumps = state->clumps.flow,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL,
                     .contacts = &state->contacts,
+                    .clumps = state->clumps.heat,
                     .h = h,
                     .window = state->window.length}};
 }
@@ -280,7 +285,7 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     dem_bodies_work_until(pass, state->particles.n);
     if (state->clumps.n > 0)
     {
-        dem_kick_clumps(state, &state->particles, pass->sweep->kick);
+        pass->bad_scalars += dem_kick_clumps(state, &state->particles, pass->sweep);
     }
     dem_domain_constrain(&state->domain, &state->particles);
     state->next_drift.done = pass->unobserved && pass->sweep->round;

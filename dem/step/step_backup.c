@@ -56,7 +56,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
         dem_sweep_bodies(&backup->particles, &state->interaction_table.bodies, half_kick);
         if (state->clumps.n > 0)
         {
-            dem_kick_clumps(state, &backup->particles, half_kick->kick);
+            (void)dem_kick_clumps(state, &backup->particles, half_kick);
         }
         dem_domain_constrain(&state->domain, &backup->particles);
     }

@@ -13,6 +13,7 @@
 #include "sources/flows.h"
 #include "step/body_window.h"
 #include "step/clump_batch.h"
+#include "step/clump_heat.h"
 #include "step/step.h"
 #include "step/wall_bodies.h"
 
@@ -31,7 +32,7 @@ static void first_kick(struct dem_state *state, double kick)
         dem_sweep_bodies(&state->particles, &state->interaction_table.bodies, &sweep);
         if (state->clumps.n > 0)
         {
-            dem_kick_clumps(state, &state->particles, kick);
+            (void)dem_kick_clumps(state, &state->particles, &sweep);
         }
     }
     dem_domain_constrain(&state->domain, &state->particles);
@@ -61,6 +62,7 @@ static int make_steps(struct dem_state *state)
     int status = DEM_OK;
 
     state->window.stopped = state->window.half_step_ahead = state->next_drift.done = 0;
+    state->next_drift.counted = 0;
     for (int64_t k = state->steps - state->window.steps_before + 1;
          k <= state->window.steps && !state->window.stopped;
          k++)
@@ -77,6 +79,7 @@ static int make_steps(struct dem_state *state)
     {
         dem_clump_flow_end_window(&state->clumps, &state->particles);
         dem_bodies_end_window(&state->particles, &state->domain, state->window.length);
+        dem_clump_heat_end_window(&state->clumps, &state->interaction_table, &state->particles);
         dem_scalars_end_window(&state->particles, &state->interaction_table);
     }
     dem_timers_end_advance(state->timers);

@@ -8,7 +8,6 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "device/device_steps.h"
-#include "records/energy_balance.h"
 #include "records/grid_averages.h"
 #include "records/timers.h"
 #include "sources/flows.h"
@@ -158,7 +157,7 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
     {
         state->timers->row_steps += more*state->contacts.rows.segment[c].count;
     }
-    state->next_drift.done = 1;
+    state->next_drift.done = state->next_drift.counted = 1;
     state->next_drift.max_speed = steps->speed[steps->made - 1];
 }
 
@@ -168,8 +167,7 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
 
     *made = 0;
     /* some of what refusal.c names can begin after the device was opened */
-    if (dem_device_waits(state) || state->energy_balance->open || state->window.stopped ||
-        state->walls.following > 0 || state->applied_forces.program.add)
+    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0 || state->applied_forces.program.add)
     {
         return DEM_OK;
     }

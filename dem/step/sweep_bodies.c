@@ -31,6 +31,8 @@
 #include "core/math.h"
 #include "step/body_batch.h"
 #include "step/clump_batch.h"
+#include "step/clump_energy.h"
+#include "step/clump_heat.h"
 #include "step/parcel_forces.h"
 #include "step/sum_contacts.h"
 #include <string.h>
@@ -275,6 +277,10 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
             .window = s->window};
 
         dem_energy_balance_after_kick(s->energy_balance, particles, &k);
+        if (s->clumps && s->kick > 0.0)
+        {
+            dem_clump_energy_take(s->clumps, s->energy_balance, pass->bodies, particles, first, rows);
+        }
     }
     if (pass->unobserved && s->round)
     {
@@ -303,9 +309,17 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
     struct dem_body_scalars scalars;
 
     dem_body_scalars_gather(&scalars, step, pass->particles, first, rows);
+    if (step->clumps && step->h > 0.0)
+    {
+        dem_clump_heat_begin(step->clumps, &scalars, pass->particles, first, rows);
+    }
     pass->scalars = &scalars;
     sweep_batch(pass, first, rows);
     pass->scalars = NULL;
+    if (step->clumps && step->h > 0.0)
+    {
+        dem_clump_heat_take(step->clumps, pass->sweep->clumps, &scalars, pass->particles, first, rows);
+    }
     if (step->h > 0.0)
     {
         pass->bad_scalars +=

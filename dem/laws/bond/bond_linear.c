@@ -249,58 +249,9 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, double *
     }
 }
 
-/* ---- energy -------------------------------------------------------------------------------------------------- */
-
-/* Correction for a bond that broke in this step [J]. `lost` contains k x'^2/2, but the last
-   drift, from x to x', ended without force, or with F of the contact that takes over, so that the
-   work done was (k x + F) (x' - x)/2 only. A bond made in this step has no length from the last
-   step and no normal elongation. */
-static double unspent(const struct dem_bond_linear *bond, const struct dem_contact_batch *b,
-                        double *const *before, int c, double taken_over)
-{
-    const double rb = bond->radius*b->min_radius[c], A = 3.14159265358979324*rb*rb,
-                   J = 0.5*A*rb*rb;
-    const struct dem_contact_row r = dem_contact_row_load(b, c, dem_contact_batch_inverse_dt(b));
-    double values[DEM_LAW_HISTORY];
-
-    dem_history_load(before, DEM_BOND_HISTORY, c, values);
-    const struct dem_bond_springs l = dem_bond_springs(&r, values);
-    const double slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
-                   bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
-
-    return 0.5*b->dt*
-           (bond->shear_stiffness*(A*slid + J*l.twist*l.spin) +
-            0.5*bond->normal_stiffness*J*bent -
-            (bond->normal_stiffness*A*(before[DEM_BOND_LENGTH][c] > 0.0 ? l.squeezed : 0.0) -
-             taken_over)*
-                b->distance_rate[c]);
-}
-
-/* Energy as set by act, corrected in two steps in which the normal law does not know of the bond
-   yet: it still counts the energy that a bond just made has dissipated, and does not count the
-   energy that it takes over from a bond just broken. */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    const struct dem_bond_linear *bond = of;
-    const double exponent = 1.0/bond->inverse_exponent, more = 1.0 + exponent;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double from = before[DEM_BOND_LENGTH][c], to = history[DEM_BOND_LENGTH][c],
-                     d = b->overlap[c];
-        const int replaced = bond->contact == DEM_BOND_CONTACT_REPLACED;
-        const double share =
-            replaced && b->broke[c] > 0.0 && d > 0.0 ? 1.0 - history[DEM_BOND_WORN][c]/d : 0.0;
-
-        e->stored[c] += share > 0.0 ? b->kn[c]*d*d*dem_pow(share, more)/more : 0.0;
-        e->stored[c] -= replaced && from <= 0.0 && to > 0.0 ? b->kn[c]*d*d/more : 0.0;
-        e->lost[c] -= b->broke[c] > 0.0
-                          ? unspent(bond, b, before, c,
-                                    share > 0.0 ? b->kn[c]*d*dem_pow(share, exponent) : 0.0)
-                          : 0.0;
-    }
-}
+#define LAW dem_bond_linear
+#define COLUMNS dem_bond_linear_columns
+#include "laws/energy_loop.h"
 
 static int makes_listed(const void *of)
 {

@@ -8,6 +8,7 @@
 
 #include "core/random.h"
 #include "laws/bond/bond_springs.h"
+#include "laws/energy_row.h"
 
 enum    /* `make` */
 {
@@ -261,6 +262,49 @@ DEM_MATH void dem_bond_linear_row(const struct dem_bond_linear *bond, struct dem
     }
     dem_bond_linear_hold_row(bond, r, values);
     dem_bond_linear_hand_over_row(bond, r, values);
+}
+
+/* ---- energy ---------------------------------------------------------------------------------- */
+
+/* Correction for a bond that broke in this step [J]. `lost` contains k x'^2/2, but the last
+   drift, from x to x', ended without force, or with F of the contact that takes over, so that the
+   work done was (k x + F) (x' - x)/2 only. A bond made in this step has no length from the last
+   step and no normal elongation. */
+DEM_MATH double dem_bond_linear_unspent(const struct dem_bond_linear *bond,
+                                        const struct dem_contact_row *r, const double *before,
+                                        double taken_over)
+{
+    const double rb = bond->radius*r->min_radius, A = 3.14159265358979324*rb*rb, J = 0.5*A*rb*rb;
+    const struct dem_bond_springs l = dem_bond_springs(r, before);
+    const double slid = dem_rotate_dot(l.u, dem_rotate_about_normal(l.slip, l.n, l.q)),
+                 bent = dem_rotate_dot(l.bend, dem_rotate_about_normal(l.turn, l.n, l.q));
+
+    return 0.5*r->dt*
+           (bond->shear_stiffness*(A*slid + J*l.twist*l.spin) +
+            0.5*bond->normal_stiffness*J*bent -
+            (bond->normal_stiffness*A*(before[DEM_BOND_LENGTH] > 0.0 ? l.squeezed : 0.0) -
+             taken_over)*
+                r->distance_rate);
+}
+
+/* Energy as set by the row, corrected in two steps in which the normal law does not know of the bond
+   yet: it still counts the energy that a bond just made has dissipated, and does not count the
+   energy that it takes over from a bond just broken. */
+DEM_MATH void dem_bond_linear_energy_row(const struct dem_bond_linear *bond, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    const double exponent = 1.0/bond->inverse_exponent, more = 1.0 + exponent;
+    const double from = before[DEM_BOND_LENGTH], to = after[DEM_BOND_LENGTH], d = r->overlap;
+    const int replaced = bond->contact == DEM_BOND_CONTACT_REPLACED;
+    const double share =
+        replaced && r->broke > 0.0 && d > 0.0 ? 1.0 - after[DEM_BOND_WORN]/d : 0.0;
+
+    e->stored += share > 0.0 ? r->kn*d*d*dem_pow(share, more)/more : 0.0;
+    e->stored -= replaced && from <= 0.0 && to > 0.0 ? r->kn*d*d/more : 0.0;
+    e->lost -= r->broke > 0.0
+                   ? dem_bond_linear_unspent(bond, r, before,
+                                             share > 0.0 ? r->kn*d*dem_pow(share, exponent) : 0.0)
+                   : 0.0;
 }
 
 #endif

@@ -52,6 +52,10 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
+#define LAW dem_dry
+#define COLUMNS 0
+#include "laws/energy_loop.h"
+
 const struct dem_effect dem_dry = {
     .name = "dry",
     .aliases = "dashpot",
@@ -64,5 +68,5 @@ const struct dem_effect dem_dry = {
     .settings = settings,
     .prepare = prepare,
     .apply = apply,
-    .energy = dem_restitution_energy,
+    .energy = energy,
 };

@@ -22,4 +22,11 @@ DEM_MATH void dem_dry_row(const struct dem_dry *l, struct dem_contact_row *r, do
     dem_dashpot_row(r, l->alpha*sqrt(r->reduced_mass*r->kn), l->attraction);
 }
 
+DEM_MATH void dem_dry_energy_row(const struct dem_dry *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    dem_restitution_energy(r, e);
+}
+
 #endif

@@ -1,5 +1,5 @@
 /*
- * friction.h -- what the friction laws share: settings, force of one contact. Each law adds its
+ * friction.h -- what the friction laws share: settings, force and energy of one contact. Each law adds its
  * stiffness k_t and its own settings.
  *
  *   F_t = -k_t xi - eta_t s,    |F_t| <= mu max(F_n, 0)         see slider.h
@@ -9,7 +9,7 @@
 #ifndef DEM_LAWS_FRICTION_H
 #define DEM_LAWS_FRICTION_H
 
-#include "laws/contact/slider.h"
+#include "laws/contact/slider_energy.h"
 
 /* settings of all laws, first in the struct of each */
 struct dem_friction_settings
@@ -60,6 +60,18 @@ DEM_MATH void dem_friction_row(const struct dem_friction_settings *l, struct dem
 DEM_MATH double dem_friction_keep(double before, double kt)
 {
     return dem_select(before < kt, before/dem_select(kt > 0.0, kt, 1.0), 1.0);
+}
+
+/* Energy of the row of a law with the stiffness k_t; previous: k_t of the last step [N/m]. */
+DEM_MATH void dem_friction_energy(const struct dem_friction_settings *l,
+                                  const struct dem_contact_row *r, const double *xi, double previous,
+                                  struct dem_energy_row *e)
+{
+    struct dem_slider s = dem_friction_slider(l, r, xi);
+
+    s.mass = e->slip_mass;
+    s.previous_stiffness = previous;
+    dem_slider_energy(r, s, e);
 }
 
 #endif

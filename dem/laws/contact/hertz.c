@@ -98,15 +98,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #include "laws/contact_loop.h"
 
 /* elastic energy, 2/5 F_n d */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        e->stored[c] = b->touching[c]*0.4*b->kn[c]*b->overlap[c]*b->overlap[c];
-    }
-}
+#define LAW dem_hertz
+#define COLUMNS 0
+#include "laws/energy_loop.h"
 
 /* If no normal law is in use: the solid fraction. Spheres collide above 0.1 % (Elghobashi, Appl. Sci.
    Res. 52 (1994) 309). */

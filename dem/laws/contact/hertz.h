@@ -7,7 +7,7 @@
 #ifndef DEM_LAWS_HERTZ_H
 #define DEM_LAWS_HERTZ_H
 
-#include "laws/row.h"
+#include "laws/energy_row.h"
 
 struct dem_hertz
 {
@@ -21,6 +21,13 @@ DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r
     (void)history;
     r->kn = l->modulus*sqrt(r->reduced_radius*r->overlap);
     r->fn += r->kn*r->overlap;
+}
+
+DEM_MATH void dem_hertz_energy_row(const struct dem_hertz *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    e->stored = r->touching*0.4*r->kn*r->overlap*r->overlap;
 }
 
 #endif

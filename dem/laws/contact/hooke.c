@@ -61,15 +61,9 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 #include "laws/contact_loop.h"
 
 /* elastic energy, 1/2 F_n d; k is zero where the bodies are apart */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before, (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        e->stored[c] = 0.5*b->kn[c]*b->overlap[c]*b->overlap[c];
-    }
-}
+#define LAW dem_hooke
+#define COLUMNS 0
+#include "laws/energy_loop.h"
 
 const struct dem_effect dem_hooke = {
     .name = "hooke",

@@ -8,6 +8,7 @@
 #define DEM_LAWS_HOOKE_H
 
 #include "laws/contact/impact_spring.h"
+#include "laws/energy_row.h"
 
 struct dem_hooke
 {
@@ -27,6 +28,13 @@ DEM_MATH void dem_hooke_row(const struct dem_hooke *l, struct dem_contact_row *r
 {
     dem_impact_stiffness_row(&l->spring, r);
     dem_hooke_force_row(l, r, history);
+}
+
+DEM_MATH void dem_hooke_energy_row(const struct dem_hooke *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    e->stored = 0.5*r->kn*r->overlap*r->overlap;
 }
 
 #endif

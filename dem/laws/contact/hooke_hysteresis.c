@@ -100,63 +100,9 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
-/* ---- energy ---------------------------------------------------------------------------------------------- */
-
-/* divided by k of first loading: forces become lengths, energies squared lengths */
-struct unloading_line
-{
-    /* 1, m: k_2/k of the unloading line, and its overlap at zero force */
-    double slope, start;
-    double spent;                                       /* m2: plastic work of loading to d_max */
-};
-
-/* First loading to d_max takes d_max^2/2, of which unloading returns d_max^2/2 k/k_2; beyond d_lim
-   nothing yields. */
-static struct unloading_line unloading_line(const struct dem_hooke_hysteresis *h, double max_overlap,
-                                            double d_lim)
-{
-    const double reference = dem_select(max_overlap < d_lim, max_overlap, d_lim);
-    const double slope =
-        1.0 + h->stiffer*dem_select(max_overlap < d_lim,
-                                      max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0), 1.0);
-
-    return (struct unloading_line){.slope = slope,
-                                   .start = reference - reference/slope,
-                                   .spent = 0.5*reference*reference*(1.0 - 1.0/slope)};
-}
-
-/* Recoverable energy on the unloading line: k_2 (d - d_0)^2/2, compressed or stretched. */
-static double elastic(struct unloading_line y, double d)
-{
-    return 0.5*y.slope*(d - y.start)*(d - y.start);
-}
-
-/* Dissipated: the plastic work by which d_max grows; on the adhesive branch, from where the old
-   unloading line meets -k_c d to the present overlap, the work of the motion, a difference of
-   k_c d^2/2, plus the decrease of the energy recoverable on the unloading line. */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    const struct dem_hooke_hysteresis *h = of;
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double k = b->kn[c], d = b->overlap[c], d_lim = h->limit*b->reduced_radius[c];
-        const double old = dem_select(before[0][c] > d, before[0][c], d), now = history[0][c];
-        const struct unloading_line from = unloading_line(h, old, d_lim),
-                                    to = unloading_line(h, dem_select(now > d, now, d), d_lim);
-        const struct unloading_line first = unloading_line(h, before[0][c], d_lim);
-
-        /* d_max decreased: adhesive branch; the old unloading line met it at `meets`, at once if it
-           was there before */
-        const double meets = from.slope*from.start/(from.slope + h->adhesion);
-        const double sticking =
-            0.5*h->adhesion*(meets*meets - d*d) + elastic(from, meets) - elastic(to, d);
-
-        e->stored[c] = k*elastic(to, d);
-        e->lost[c] = k*dem_select(now < old, sticking, from.spent - first.spent);
-    }
-}
+#define LAW dem_hooke_hysteresis
+#define COLUMNS dem_hooke_hysteresis_columns
+#include "laws/energy_loop.h"
 
 /* 1: k_2/k after the first impact, whose overlap follows from k d^2/2 = m v^2/2, or from
    hertz */

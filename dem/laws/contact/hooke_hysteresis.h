@@ -8,6 +8,7 @@
 #define DEM_LAWS_HOOKE_HYSTERESIS_H
 
 #include "laws/contact/impact_spring.h"
+#include "laws/energy_row.h"
 
 struct dem_hooke_hysteresis
 {
@@ -51,6 +52,60 @@ DEM_MATH void dem_hooke_hysteresis_row(const struct dem_hooke_hysteresis *l,
 {
     dem_impact_stiffness_row(&l->spring, r);
     dem_hooke_hysteresis_force_row(l, r, largest);
+}
+
+/* ---- energy ---------------------------------------------------------------------------------- */
+
+/* divided by k of first loading: forces become lengths, energies squared lengths */
+struct dem_unloading_line
+{
+    /* 1, m: k_2/k of the unloading line, and its overlap at zero force */
+    double slope, start;
+    double spent;                                       /* m2: plastic work of loading to d_max */
+};
+
+/* First loading to d_max takes d_max^2/2, of which unloading returns d_max^2/2 k/k_2; beyond d_lim
+   nothing yields. */
+DEM_MATH struct dem_unloading_line
+dem_unloading_line(const struct dem_hooke_hysteresis *h, double max_overlap,
+                                            double d_lim)
+{
+    const double reference = dem_select(max_overlap < d_lim, max_overlap, d_lim);
+    const double slope =
+        1.0 + h->stiffer*dem_select(max_overlap < d_lim,
+                                      max_overlap/dem_select(d_lim > 0.0, d_lim, 1.0), 1.0);
+
+    return (struct dem_unloading_line){.slope = slope,
+                                   .start = reference - reference/slope,
+                                   .spent = 0.5*reference*reference*(1.0 - 1.0/slope)};
+}
+
+/* Recoverable energy on the unloading line: k_2 (d - d_0)^2/2, compressed or stretched. */
+DEM_MATH double dem_unloading_elastic(struct dem_unloading_line y, double d)
+{
+    return 0.5*y.slope*(d - y.start)*(d - y.start);
+}
+
+/* Dissipated: the plastic work by which d_max grows; on the adhesive branch, from where the old
+   unloading line meets -k_c d to the present overlap, the work of the motion, a difference of
+   k_c d^2/2, plus the decrease of the energy recoverable on the unloading line. */
+DEM_MATH void dem_hooke_hysteresis_energy_row(const struct dem_hooke_hysteresis *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    const double k = r->kn, d = r->overlap, d_lim = l->limit*r->reduced_radius;
+    const double old = dem_select(before[0] > d, before[0], d), now = after[0];
+    const struct dem_unloading_line from = dem_unloading_line(l, old, d_lim),
+                                    to = dem_unloading_line(l, dem_select(now > d, now, d), d_lim),
+                                    first = dem_unloading_line(l, before[0], d_lim);
+
+    /* d_max decreased: adhesive branch; the old unloading line met it at `meets`, at once if it
+       was there before */
+    const double meets = from.slope*from.start/(from.slope + l->adhesion);
+    const double sticking = 0.5*l->adhesion*(meets*meets - d*d) +
+                            dem_unloading_elastic(from, meets) - dem_unloading_elastic(to, d);
+
+    e->stored = k*dem_unloading_elastic(to, d);
+    e->lost = k*dem_select(now < old, sticking, from.spent - first.spent);
 }
 
 #endif

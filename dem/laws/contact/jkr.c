@@ -102,15 +102,9 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #include "laws/contact_loop.h"
 
 /* act has stored the energy of the whole law; 2/5 F_n d of it is already counted by hertz */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)of, (void)before;
-    for (int c = 0; c < b->n; c++)
-    {
-        e->stored[c] -= history[0][c]*0.4*b->kn[c]*b->overlap[c]*b->overlap[c];
-    }
-}
+#define LAW dem_jkr
+#define COLUMNS dem_jkr_columns
+#include "laws/energy_loop.h"
 
 /* J: 7.09 (w^5 R^4/E^2)^(1/3), lost in each contact */
 static double contact_loss(double w, const struct dem_regime *g)

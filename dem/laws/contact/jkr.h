@@ -7,7 +7,7 @@
 #ifndef DEM_LAWS_JKR_H
 #define DEM_LAWS_JKR_H
 
-#include "laws/row.h"
+#include "laws/energy_row.h"
 
 struct dem_jkr
 {
@@ -71,6 +71,13 @@ DEM_MATH void dem_jkr_row(const struct dem_jkr *l, struct dem_contact_row *r, do
     r->stored += now*energy;
     r->lost += dem_select(now > before, snap_in, dem_select(now < before, left, 0.0));
     adheres[0] = now;
+}
+
+DEM_MATH void dem_jkr_energy_row(const struct dem_jkr *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before;
+    e->stored -= after[0]*0.4*r->kn*r->overlap*r->overlap;
 }
 
 #endif

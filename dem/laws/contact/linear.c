@@ -62,28 +62,14 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
                            : DBL_MAX;
 }
 
-static double previous(const void *of, const struct dem_contact_batch *b,
-                       const struct dem_energy *e, int c)
-{
-    const struct dem_linear *const linear = of;
-
-    (void)b;
-    return dem_select(e->previous_overlap[c] > 0.0, linear->stiffness, 0.0)
-           + linear->ratio*e->previous_kn[c];
-}
-
 #define LAW dem_linear
 #define COLUMNS dem_linear_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 
-DEM_KERNEL
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)history;
-    dem_friction_energy(previous, of, b, before, e);
-}
+#define LAW dem_linear
+#define COLUMNS dem_linear_columns
+#include "laws/energy_loop.h"
 
 const struct dem_effect dem_linear = {
     .name = "linear",

@@ -32,4 +32,12 @@ DEM_MATH void dem_linear_row(const struct dem_linear *l, struct dem_contact_row 
     dem_friction_row(&l->common, r, xi);
 }
 
+DEM_MATH void dem_linear_energy_row(const struct dem_linear *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)after;
+    dem_friction_energy(&l->common, r, before,
+                        dem_select(e->previous_overlap > 0.0, l->stiffness, 0.0) + l->ratio*e->previous_kn, e);
+}
+
 #endif

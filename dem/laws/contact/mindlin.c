@@ -65,25 +65,14 @@ static int prepare(void *of, const struct dem_pair_class *pair)
     return dem_mindlin_modulus("mindlin", pair, &((struct dem_mindlin *)of)->modulus);
 }
 
-static double previous(const void *of, const struct dem_contact_batch *b,
-                       const struct dem_energy *e, int c)
-{
-    return ((const struct dem_mindlin *)of)->modulus*
-           sqrt(b->reduced_radius[c]*e->previous_overlap[c]);
-}
-
 #define LAW dem_mindlin
 #define COLUMNS dem_mindlin_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 
-DEM_KERNEL
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)history;
-    dem_friction_energy(previous, of, b, before, e);
-}
+#define LAW dem_mindlin
+#define COLUMNS dem_mindlin_columns
+#include "laws/energy_loop.h"
 
 const struct dem_effect dem_mindlin = {
     .name = "mindlin",

@@ -37,4 +37,12 @@ DEM_MATH void dem_mindlin_row(const struct dem_mindlin *l, struct dem_contact_ro
     dem_friction_row(&l->common, r, xi);
 }
 
+DEM_MATH void dem_mindlin_energy_row(const struct dem_mindlin *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)after;
+    dem_friction_energy(&l->common, r, before,
+                        l->modulus*sqrt(r->reduced_radius*e->previous_overlap), e);
+}
+
 #endif

@@ -51,13 +51,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
 #include "laws/contact_loop.h"
 
-DEM_KERNEL
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    (void)history;
-    dem_friction_energy(NULL, of, b, before, e);
-}
+#define LAW dem_mindlin_incremental
+#define COLUMNS dem_mindlin_incremental_columns
+#include "laws/energy_loop.h"
 
 const struct dem_effect dem_mindlin_incremental = {
     .name = "mindlinIncremental",

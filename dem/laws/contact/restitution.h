@@ -23,7 +23,7 @@
 #ifndef DEM_LAWS_RESTITUTION_H
 #define DEM_LAWS_RESTITUTION_H
 
-#include "laws/row.h"
+#include "laws/energy_row.h"
 
 #define DEM_RESTITUTION_PI2 9.86960440108935862           /* pi^2 */
 
@@ -68,6 +68,17 @@ DEM_MATH void dem_centred_dashpot_row(struct dem_contact_row *r, double eta, int
                  a = dem_select(mass > 0.0, 0.5*r->dt/dem_select(mass > 0.0, mass, 1.0), 0.0);
 
     dem_damping_row(r, eta, eta*(r->vn + a*r->fn)/(1.0 + a*eta), attraction);
+}
+
+/* Dissipated by the dashpot: its force, clamped or not, times the velocity in the middle of the kick,
+   as far as this contact alone changes it: eta v_n (v_n + F_n dt/2 m*) dt. With v_n before the kick
+   instead, an impact with e = 0.9 and 20 steps would count 0.5 % too much. */
+DEM_MATH void dem_restitution_energy(const struct dem_contact_row *r, struct dem_energy_row *e)
+{
+    const double mass = r->reduced_mass,
+                 gain = dem_select(mass > 0, r->dt/2/dem_select(mass > 0, mass, 1), 0);
+
+    e->lost = -r->touching*e->normal_force*(r->vn + gain*r->fn)*r->dt;
 }
 
 #endif

@@ -37,6 +37,10 @@ static const struct dem_setting settings[] = {
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 
+#define LAW dem_rolling_constant
+#define COLUMNS 0
+#include "laws/energy_loop.h"
+
 const struct dem_effect dem_rolling_constant = {
     .name = "rollingConstant",
     .aliases = "cdt",
@@ -51,7 +55,7 @@ const struct dem_effect dem_rolling_constant = {
     .size = sizeof(struct dem_rolling_constant),
     .settings = settings,
     .apply = apply,
-    .energy = dem_rolling_energy,
+    .energy = energy,
     .relevance = dem_rolling_relevance,
     .mechanism = DEM_MECHANISM_ROLLING,
 };

@@ -35,4 +35,11 @@ DEM_MATH void dem_rolling_constant_row(const struct dem_rolling_constant *l,
     r->mz -= drag*wz;
 }
 
+DEM_MATH void dem_rolling_constant_energy_row(const struct dem_rolling_constant *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    dem_rolling_energy(r, e);
+}
+
 #endif

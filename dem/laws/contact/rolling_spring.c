@@ -41,7 +41,6 @@
  */
 #include "laws/contact/rolling_effect.h"
 #include "laws/contact/rolling_spring.h"
-#include "laws/contact/slider_energy.h"
 #include "laws/effect.h"
 
 static const struct dem_setting settings[] = {
@@ -73,27 +72,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 
-DEM_KERNEL
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    const struct dem_rolling_spring *const rolling = of;
-    const double inverse_dt = dem_contact_batch_inverse_dt(b);
-    const double *restrict x = before[0], *restrict y = before[1], *restrict z = before[2];
-
-    (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const struct dem_contact_row r = dem_contact_row_load(b, c, inverse_dt);
-        struct dem_slider s =
-            dem_rolling_slider(rolling, &r, (const double[3]){x[c], y[c], z[c]});
-
-        s.mass = e->inertia[c];
-        s.previous_stiffness =
-            rolling->ratio*e->previous_kn[c]*b->reduced_radius[c]*b->reduced_radius[c];
-        dem_slider_energy(b, c, s, e);
-    }
-}
+#define LAW dem_rolling_spring
+#define COLUMNS dem_rolling_spring_columns
+#include "laws/energy_loop.h"
 
 const struct dem_effect dem_rolling_spring = {
     .name = "rollingSpring",

@@ -7,7 +7,7 @@
 #ifndef DEM_LAWS_ROLLING_SPRING_H
 #define DEM_LAWS_ROLLING_SPRING_H
 
-#include "laws/contact/slider.h"
+#include "laws/contact/slider_energy.h"
 
 struct dem_rolling_spring
 {
@@ -57,6 +57,17 @@ DEM_MATH void dem_rolling_spring_row(const struct dem_rolling_spring *l, struct 
 
     dem_slider_keep(&s, theta);
     dem_rolling_spring_add(&s, r);
+}
+
+DEM_MATH void dem_rolling_spring_energy_row(const struct dem_rolling_spring *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    struct dem_slider s = dem_rolling_slider(l, r, before);
+
+    (void)after;
+    s.mass = e->inertia;
+    s.previous_stiffness = l->ratio*e->previous_kn*r->reduced_radius*r->reduced_radius;
+    dem_slider_energy(r, s, e);
 }
 
 #endif

@@ -43,6 +43,10 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 
+#define LAW dem_rolling_viscous
+#define COLUMNS 0
+#include "laws/energy_loop.h"
+
 /* In use: A v/(R mu), fraction of the largest moment of friction on a sphere that rolls at v. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)
 {
@@ -67,7 +71,7 @@ const struct dem_effect dem_rolling_viscous = {
     .settings = settings,
     .prepare = prepare,
     .apply = apply,
-    .energy = dem_rolling_energy,
+    .energy = energy,
     .relevance = relevance,
     .mechanism = DEM_MECHANISM_ROLLING,
 };

@@ -28,4 +28,11 @@ DEM_MATH void dem_rolling_viscous_row(const struct dem_rolling_viscous *l,
     r->mz -= drag*(r->wz - twist*hz);
 }
 
+DEM_MATH void dem_rolling_viscous_energy_row(const struct dem_rolling_viscous *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    dem_rolling_energy(r, e);
+}
+
 #endif

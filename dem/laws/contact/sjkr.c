@@ -32,20 +32,9 @@ static const struct dem_setting settings[] = {
 #include "laws/contact_loop.h"
 
 /* energy needed to separate the surfaces; dissipated when a bond replaces the contact */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    const double scale = 6.28318530717958648*((const struct dem_sjkr *)of)->density;
-
-    (void)before, (void)history;
-    for (int c = 0; c < b->n; c++)
-    {
-        const double held = -0.5*scale*b->reduced_radius[c]*b->overlap[c]*b->overlap[c];
-
-        e->stored[c] = b->bond_replaces[c] > 0.0 ? 0.0 : held;
-        e->lost[c] = b->bond_replaces[c] > 1.0 ? held : 0.0;
-    }
-}
+#define LAW dem_sjkr
+#define COLUMNS 0
+#include "laws/energy_loop.h"
 
 /* In use: its largest attraction 2/3 pi^3 w^3 (R* over E*)^2 (with hertz) over the weight, or its
    fraction 3/2 pi w sqrt(R* / d)/E* of the force of an impact at overlap d:

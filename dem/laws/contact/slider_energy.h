@@ -1,7 +1,7 @@
 /*
  * slider_energy.h -- energy of spring, dashpot and slider.
  *
- * Energy stored and dissipated by row c in the step that dem_slider_step makes of s. With e the
+ * Energy stored and dissipated by a row in the step that dem_slider_step makes of s. With e the
  * trial elongation, xi and xi' the elongation before (in the new plane) and after, k and k' the
  * stiffness before and after, and m the effective mass,
  *
@@ -23,20 +23,18 @@
 #ifndef DEM_LAWS_SLIDER_ENERGY_H
 #define DEM_LAWS_SLIDER_ENERGY_H
 
-#include "laws/batch_row.h"
 #include "laws/contact/slider.h"
+#include "laws/energy_row.h"
 
-/* dem_effect.energy of row c. */
-DEM_MATH void dem_slider_energy(const struct dem_contact_batch *b, int c, struct dem_slider s,
-                                struct dem_energy *restrict e)
+DEM_MATH void dem_slider_energy(const struct dem_contact_row *r, struct dem_slider s,
+                                struct dem_energy_row *e)
 {
-    const struct dem_contact_row r = dem_contact_row_load(b, c, s.inverse_dt);
     struct dem_slider at_rest = s;
 
     at_rest.sx = at_rest.sy = at_rest.sz = 0;
-    const struct dem_slider from = dem_slider_load(&r, at_rest), loaded = dem_slider_load(&r, s),
-                            to = dem_slider_step(&r, s);
-    const double on = b->touching[c], k = on*s.stiffness, was = s.previous_stiffness, dt = b->dt;
+    const struct dem_slider from = dem_slider_load(r, at_rest), loaded = dem_slider_load(r, s),
+                            to = dem_slider_step(r, s);
+    const double on = r->touching, k = on*s.stiffness, was = s.previous_stiffness, dt = r->dt;
     const double xi_x = on*to.xi_x, xi_y = on*to.xi_y, xi_z = on*to.xi_z, fx = on*to.fx,
                    fy = on*to.fy, fz = on*to.fz;
     const double gx = loaded.xi_x - xi_x, gy = loaded.xi_y - xi_y, gz = loaded.xi_z - xi_z;
@@ -50,8 +48,8 @@ DEM_MATH void dem_slider_energy(const struct dem_contact_batch *b, int c, struct
     const double rubbed = -(fx*ux + fy*uy + fz*uz)*dt;
     const double lost = damped + (was*along + k*ahead)/2 - (k - was)/2*both;
 
-    e->stored[c] = k/2*(xi_x*xi_x + xi_y*xi_y + xi_z*xi_z);
-    e->lost[c] = dem_select((on > 0) & !(k > 0), rubbed, lost);
+    e->stored = k/2*(xi_x*xi_x + xi_y*xi_y + xi_z*xi_z);
+    e->lost = dem_select((on > 0) & !(k > 0), rubbed, lost);
 }
 
 #endif

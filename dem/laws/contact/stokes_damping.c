@@ -134,6 +134,10 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
+#define LAW dem_stokes_damping
+#define COLUMNS 0
+#include "laws/energy_loop.h"
+
 static double own_added_mass(const void *of)
 {
     return fmax(((const struct dem_stokes_damping *)of)->added_mass, 0.0);
@@ -173,7 +177,7 @@ const struct dem_effect dem_stokes_damping = {
     .history = history_names,
     .prepare = prepare,
     .apply = apply,
-    .energy = dem_restitution_energy,
+    .energy = energy,
     .own_added_mass = own_added_mass,
     .relevance = relevance,
     .describe = describe,

@@ -58,4 +58,11 @@ DEM_MATH void dem_stokes_damping_row(const struct dem_stokes_damping *l, struct 
         r, l->critical*(T/dem_select(size > 0.0, size, 1.0))*sqrt(m*r->kn), l->attraction);
 }
 
+DEM_MATH void dem_stokes_damping_energy_row(const struct dem_stokes_damping *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    dem_restitution_energy(r, e);
+}
+
 #endif

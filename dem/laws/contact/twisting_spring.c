@@ -69,32 +69,9 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_MOMENT
 #include "laws/contact_loop.h"
 
-/* as dem_slider_energy of slider.h, for an angle */
-static void energy(const void *of, const struct dem_contact_batch *restrict b,
-                   double *const *before, double *const *history, struct dem_energy *restrict e)
-{
-    const struct dem_twisting_spring *twisting = of;
-    const double *const from = before[0], *const to = history[0],
-                          inverse_dt = dem_contact_batch_inverse_dt(b);
-
-    for (int c = 0; c < b->n; c++)
-    {
-        const double R = b->reduced_radius[c],
-                       stiffness = b->touching[c]*twisting->ratio*b->kn[c]*R*b->overlap[c];
-        const double was = twisting->ratio*e->previous_kn[c]*R*e->previous_overlap[c];
-        const double rate = b->wx[c]*b->hx[c] + b->wy[c]*b->hy[c] + b->wz[c]*b->hz[c],
-                       slipped = from[c] + b->dt*rate - to[c];
-        const double damping = 2.0*twisting->damping*R*sqrt(0.4*b->reduced_mass[c]*stiffness);
-        const double dashpot =
-            dem_select(b->fn[c] > 0.0, damping*inverse_dt*(to[c] - from[c]), 0.0);
-        const double damped =
-            dashpot*(rate - 0.5*b->dt*(stiffness*to[c] + dashpot)/e->inertia[c])*b->dt;
-
-        e->stored[c] = 0.5*stiffness*to[c]*to[c];
-        e->lost[c] = damped + 0.5*(was*from[c] + stiffness*to[c])*slipped -
-                     0.5*(stiffness - was)*from[c]*to[c];
-    }
-}
+#define LAW dem_twisting_spring
+#define COLUMNS dem_twisting_spring_columns
+#include "laws/energy_loop.h"
 
 /* In use: its largest moment over R* mu F_n: 3 pi/16 sqrt(d/R*) mu_t/mu at the overlap d of an
    impact, or mu_t/mu. */

@@ -6,7 +6,7 @@
 #ifndef DEM_LAWS_TWISTING_SPRING_H
 #define DEM_LAWS_TWISTING_SPRING_H
 
-#include "laws/row.h"
+#include "laws/energy_row.h"
 
 struct dem_twisting_spring
 {
@@ -53,6 +53,23 @@ DEM_MATH void dem_twisting_spring_row(const struct dem_twisting_spring *l,
     r->mx += moment*r->nx;
     r->my += moment*r->ny;
     r->mz += moment*r->nz;
+}
+
+/* as dem_slider_energy of slider_energy.h, for an angle */
+DEM_MATH void dem_twisting_spring_energy_row(const struct dem_twisting_spring *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    const double R = r->reduced_radius, from = before[0], to = after[0],
+                 stiffness = r->touching*l->ratio*r->kn*R*r->overlap;
+    const double was = l->ratio*e->previous_kn*R*e->previous_overlap;
+    const double rate = r->wx*r->hx + r->wy*r->hy + r->wz*r->hz, slipped = from + r->dt*rate - to;
+    const double damping = 2.0*l->damping*R*sqrt(0.4*r->reduced_mass*stiffness);
+    const double dashpot = dem_select(r->fn > 0.0, damping*r->inverse_dt*(to - from), 0.0);
+    const double damped =
+        dashpot*(rate - 0.5*r->dt*(stiffness*to + dashpot)/e->inertia)*r->dt;
+
+    e->stored = 0.5*stiffness*to*to;
+    e->lost = damped + 0.5*(was*from + stiffness*to)*slipped - 0.5*(stiffness - was)*from*to;
 }
 
 #endif

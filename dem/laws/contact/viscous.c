@@ -51,6 +51,10 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
 #include "laws/contact_loop.h"
 
+#define LAW dem_viscous
+#define COLUMNS 0
+#include "laws/energy_loop.h"
+
 const struct dem_effect dem_viscous = {
     .name = "viscous",
     .summary = "viscous damping with a given coefficient, -c v_n",
@@ -63,5 +67,5 @@ const struct dem_effect dem_viscous = {
     .prepare = prepare,
     .time_limit = time_limit,
     .apply = apply,
-    .energy = dem_restitution_energy,
+    .energy = energy,
 };

@@ -22,4 +22,11 @@ DEM_MATH void dem_viscous_row(const struct dem_viscous *l, struct dem_contact_ro
     dem_dashpot_row(r, l->coefficient*r->touching, l->attraction);
 }
 
+DEM_MATH void dem_viscous_energy_row(const struct dem_viscous *l, const struct dem_contact_row *r,
+    const double *before, const double *after, struct dem_energy_row *e)
+{
+    (void)l, (void)before, (void)after;
+    dem_restitution_energy(r, e);
+}
+
 #endif
