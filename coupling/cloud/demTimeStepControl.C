@@ -63,8 +63,7 @@ void Foam::demTimeStepControl::read(const scalar maxCo)
 {
     const scalar defaultLimit[nCriteria] = {maxCo, cloud_.particles().maxCo(), 0.1, 0};
 
-    limit_[FLUID] = maxCo;
-    for (label k = PARTICLES; k < nCriteria; ++k)   // the solver has set its own
+    for (label k = FLUID; k < nCriteria; ++k)   // the solver has set its own
     {
         const dictionary& control = time_.controlDict();
         limit_[k] = control.getOrDefault<scalar>(names_[k], defaultLimit[k]);

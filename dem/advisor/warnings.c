@@ -82,8 +82,21 @@ static void warn_of_driven(struct list *w)
     }
 }
 
-static void warn_of_bodies(struct list *w)
+/* An item for each line. */
+static void add_lines(struct list *w, const char *line)
 {
+    for (size_t n; *line; line += n + 1)
+    {
+        n = strcspn(line, "\n");
+        begin(w);
+        dem_text_add(w->t, "%.*s\n", (int)n, line);
+    }
+}
+
+static int warn_of_bodies(struct list *w)
+{
+    const char *light = "";
+
     if (w->p->scene.frozen && w->p->scene.wall_bodies > 0)
     {
         begin(w);
@@ -93,6 +106,12 @@ static void warn_of_bodies(struct list *w)
             "force; let those particles be free, or build what the walls meet of walls\n",
             w->p->scene.wall_bodies);
     }
+    if (w->p->scene.wall_bodies > 0)
+    {
+        DEM_TRY(dem_wall_mass_text(w->p->d, w->p->scene.streams > 0 ? INFINITY : w->p->scene.particles, &light));
+    }
+    add_lines(w, light);
+    return DEM_OK;
 }
 
 static void warn_of_gravity(struct list *w)
@@ -275,18 +294,12 @@ static void warn_of_crossing(struct list *w)
 
 /* ---- impact speed ---------------------------------------------------------------------------- */
 
-/* An item for each line of dem_impact_text. */
 static int warn_of_impacts(struct list *w)
 {
-    const char *line;
+    const char *lines;
 
-    DEM_TRY(dem_impact_text(w->p->d, fluid_speed(w), &line));
-    for (size_t n; *line; line += n + 1)
-    {
-        n = strcspn(line, "\n");
-        begin(w);
-        dem_text_add(w->t, "%.*s\n", (int)n, line);
-    }
+    DEM_TRY(dem_impact_text(w->p->d, fluid_speed(w), &lines));
+    add_lines(w, lines);
     return DEM_OK;
 }
 
@@ -339,7 +352,7 @@ int dem_warnings_write(struct dem_text *t, const struct dem_plan *p, int n, cons
     {
         warn_of_walls(&w);
         warn_of_driven(&w);
-        warn_of_bodies(&w);
+        DEM_TRY(warn_of_bodies(&w));
         warn_of_gravity(&w);
         warn_of_drag(&w);
         warn_of_densities(&w);

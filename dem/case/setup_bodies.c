@@ -9,7 +9,7 @@
 #include "ranks/collect.h"
 #include "ranks/mpi_error.h"
 #include "sources/closed_surface.h"
-#include "walls/wall_turn.h"
+#include "walls/wall_rotation.h"
 #include <string.h>
 
 struct solid    /* over the density */
@@ -39,16 +39,16 @@ static int measure(const struct dem *d, int wall, struct solid *s)
 
 static void take_mass(struct dem_wall_body *b, const struct solid *s)
 {
-    const double density = b->turn.density;
+    const double density = b->rotation.density;
 
     b->mass = density*s->volume;
     b->weighs *= b->mass;
-    memcpy(b->turn.centre, s->centre, sizeof s->centre);
+    memcpy(b->rotation.centre, s->centre, sizeof s->centre);
     for (int k = 0; k < 9; k++)
     {
-        b->turn.tensor[k/3][k%3] = density*s->inertia[k/3][k%3];
+        b->rotation.tensor[k/3][k%3] = density*s->inertia[k/3][k%3];
     }
-    dem_wall_turn_prepare(&b->turn, &dem_pose_identity);
+    dem_wall_rotation_prepare(&b->rotation, &dem_pose_identity);
 }
 
 int dem_api_begin_bodies(struct dem *d)
@@ -60,7 +60,7 @@ int dem_api_begin_bodies(struct dem *d)
         struct dem_wall_body *const b = dem_walls_body(w, k);
         struct solid s = {.volume = 0.0};
 
-        if (b && b->turn.density > 0.0)
+        if (b && b->rotation.density > 0.0)
         {
             DEM_TRY(dem_api_agree(d, measure(d, k, &s)));
             DEM_TRY(d->state.decomposition.ranks == 1
@@ -68,9 +68,9 @@ int dem_api_begin_bodies(struct dem *d)
                         : DEM_MPI_STATUS(MPI_Bcast(&s, (int)sizeof s, MPI_BYTE, 0, d->state.decomposition.comm)));
             take_mass(b, &s);
         }
-        if (b && b->turn.axes > 0)
+        if (b && b->rotation.axes > 0)
         {
-            dem_wall_turn_start(b);
+            dem_wall_rotation_start(b);
         }
     }
     return DEM_OK;

@@ -100,6 +100,10 @@ int dem_wall_has_law(const struct dem *, int wall);
    thread. */
 int dem_impact_text(struct dem *, double fluid_speed, const char **text);
 
+/* Collective. Lines on free walls that are too light for the step on the contacts to be expected, of at most
+   this number of particles. "" without any. Valid until the next call of this thread. */
+int dem_wall_mass_text(struct dem *, double particles, const char **text);
+
 /* Collective. The void fraction of the slab of dem_bed_slab with this mean cross-section [m2]; 0
    when it is not known. */
 double dem_bed_void_fraction(const struct dem *, double area);

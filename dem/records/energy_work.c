@@ -19,7 +19,6 @@
 #include "particles/scalars.h"
 #include "records/cell_stress.h"
 #include "records/energy_balance.h"
-#include "records/wall_statistics.h"
 #include "ranks/dem_state.h"
 #include <math.h>
 #include <string.h>
@@ -37,26 +36,6 @@ static void gravity_work(struct dem_state *p, double dt)
 
         dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY],
                                mass*dem_vec_dot(g, b ? b->v : r->v)*dt);
-    }
-}
-
-/* Work of moving walls with the forces of the last sweep, over the time `span` [s] of the drift
-   behind it, or with `ahead` = 1 of the drift after it, in which the walls have already moved. */
-static void wall_work(struct dem_state *p, double span, int ahead)
-{
-    const struct dem_contacts *const c = &p->contacts;
-
-    for (int s = 0; s < c->rows.classes && c->rows.n > 0 && !p->walls.all_flat_static; s++)
-    {
-        const uint32_t first = c->rows.segment[s].first;
-        const uint32_t end =
-            first + (p->interaction_table.list[s].pair.with_wall ? c->rows.segment[s].count : 0);
-
-        for (uint32_t r = first; r < end; r++)
-        {
-            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_WALLS],
-                                   dem_wall_statistics_power(p, r, ahead)*span);
-        }
     }
 }
 
@@ -87,13 +66,11 @@ void dem_energy_balance_after_drift(struct dem_state *p, double dt)
 {
     gravity_work(p, dt);
     driven_work(p, 0.5*dt, dt);
-    wall_work(p, 0.5*dt, 1);
     dem_cell_add_work(p, 0.5*dt);
 }
 
 void dem_energy_balance_after_sweep(struct dem_state *p, double dt)
 {
-    wall_work(p, 0.5*dt, 0);
     dem_cell_add_work(p, 0.5*dt);
     driven_work(p, 0.5*dt, 0.0);
 }

@@ -32,6 +32,18 @@ static void direction(const struct dem_state *p, const struct dem_pair *q, doubl
     }
 }
 
+/* Add `factor` times the symmetric part of f r^T: xx yy zz xy yz zx. */
+static void add_product(double factor, const double f[3], const double r[3], double w[6])
+{
+    for (int k = 0; k < 3; k++)
+    {
+        const int next = (k + 1)%3;
+
+        w[k] += factor*f[k]*r[k];
+        w[3 + k] += 0.5*factor*(f[k]*r[next] + f[next]*r[k]);
+    }
+}
+
 /* On i the force f acts at -lever n, on j the force -f at +lever n: both give -lever f n. */
 static void add_row(const struct dem_state *p, uint32_t row, double radius, double w[6])
 {
@@ -45,13 +57,7 @@ static void add_row(const struct dem_state *p, uint32_t row, double radius, doub
         return;
     }
     direction(p, dem_contacts_pair(&p->contacts, row), n);
-    for (int k = 0; k < 3; k++)
-    {
-        const int next = (k + 1)%3;
-
-        w[k] -= lever*f[k]*n[k];
-        w[3 + k] -= 0.5*lever*(f[k]*n[next] + f[next]*n[k]);
-    }
+    add_product(-lever, f, n, w);
 }
 
 /* The force f on a sphere of a clump acts at the sphere's centre, off the centre of the clump. */
@@ -60,13 +66,7 @@ static void add_arm(const struct dem_clump *b, const double f[3], double w[6])
     double arm[3];
 
     dem_clump_rotate(b->q, b->offset, arm);
-    for (int k = 0; k < 3; k++)
-    {
-        const int next = (k + 1)%3;
-
-        w[k] += f[k]*arm[k];
-        w[3 + k] += 0.5*(f[k]*arm[next] + f[next]*arm[k]);
-    }
+    add_product(1.0, f, arm, w);
 }
 
 void dem_virial_sum(const struct dem_state *p, double *virial)

@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "ranks/dem_state.h"
+#include "records/energy_balance.h"
 #include "walls/wall_surface.h"
 #include <string.h>
 
@@ -106,7 +107,9 @@ void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double 
     }
 }
 
-double dem_wall_statistics_power(const struct dem_state *p, uint32_t r, int ahead)
+/* Power [W] of a wall on the particle of a row, with the force of the last sweep and the velocity of the
+   surface in the last step; ahead = 1: after the drift that follows the sweep. */
+static double power_of_row(const struct dem_state *p, uint32_t r, int ahead)
 {
     const struct dem_contacts *const c = &p->contacts;
     const struct dem_pair *const q = dem_contacts_pair(c, r);
@@ -130,7 +133,9 @@ double dem_wall_statistics_power(const struct dem_state *p, uint32_t r, int ahea
 void dem_wall_statistics_add_work(struct dem_state *p, double span, int ahead)
 {
     const struct dem_contact_rows *const rows = &p->contacts.rows;
-    const int wanted = p->wall_statistics->sum && !p->walls.all_flat_static && rows->n > 0;
+    struct dem_energy_balance *const balance = p->energy_balance->open ? p->energy_balance : NULL;
+    struct dem_sum *const work = p->wall_statistics->sum ? p->wall_statistics->work : NULL;
+    const int wanted = (work || balance) && !p->walls.all_flat_static && rows->n > 0;
 
     for (int s = 0; s < rows->classes && wanted; s++)
     {
@@ -141,11 +146,15 @@ void dem_wall_statistics_add_work(struct dem_state *p, double span, int ahead)
         for (uint32_t r = at->first; r < end; r++)
         {
             const int facet = dem_pairs_facet(&p->pairs, dem_contacts_pair(&p->contacts, r)->j);
-            const double power = dem_wall_statistics_power(p, r, ahead);
+            const double done = span*power_of_row(p, r, ahead);
 
-            if (power != 0.0)
+            if (work && done != 0.0)
             {
-                dem_sum_add(&p->wall_statistics->work[p->walls.facet[facet].wall], power*span);
+                dem_sum_add(&work[p->walls.facet[facet].wall], done);
+            }
+            if (balance)
+            {
+                dem_energy_balance_add(&balance->sum[DEM_ENERGY_BALANCE_WALLS], done);
             }
         }
     }

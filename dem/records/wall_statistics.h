@@ -42,12 +42,9 @@ int dem_wall_statistics_save_forces(struct dem_state *);
 /* The state has been restored from a backup: drop the saved forces. */
 void dem_wall_statistics_drop_forces(struct dem_wall_statistics *);
 
-/* Power [W] of a wall on the particle of a contact row, with the force of the last sweep and the velocity
-   of the surface in the last step; ahead = 1: after the drift that follows the sweep. */
-double dem_wall_statistics_power(const struct dem_state *, uint32_t row, int ahead);
-
-/* Add the work with the forces of the last sweep over the time `span` [s] of the drift behind it, or with
-   ahead = 1 of the drift after it, in which the walls have already moved. */
+/* Add the work of walls on particles, for each wall and for the energy balance, with the forces of the last
+   sweep over the time `span` [s] of the drift behind it, or with ahead = 1 of the drift after it, in which
+   the walls have already moved. */
 void dem_wall_statistics_add_work(struct dem_state *, double span, int ahead);
 
 /* Add the force and torque of the last sweep on one wall (-1: on each of all walls), times

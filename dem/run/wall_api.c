@@ -11,7 +11,7 @@
 #include "records/totals.h"
 #include "records/wall_statistics.h"
 #include "records/wall_wear.h"
-#include "walls/wall_turn.h"
+#include "walls/wall_rotation.h"
 #include <math.h>
 #include <string.h>
 
@@ -39,9 +39,9 @@ void dem_wall_position(const struct dem *d, int wall, struct dem_wall_position *
         p->moved[k] = b->state.q[k];
         p->velocity[k] = b->state.v[k];
     }
-    if (b && b->turn.axes > 0)
+    if (b && b->rotation.axes > 0)
     {
-        dem_wall_turn_spin(b, p->spin);
+        dem_wall_rotation_spin(b, p->spin);
     }
 }
 

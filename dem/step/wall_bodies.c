@@ -12,7 +12,7 @@
 #include "records/energy_balance.h"
 #include "records/totals.h"
 #include "records/wall_statistics.h"
-#include "walls/wall_turn.h"
+#include "walls/wall_rotation.h"
 #include <math.h>
 #include <string.h>
 
@@ -141,11 +141,11 @@ static double squared_arm(const struct dem_wall_body *b, const double point[3])
 
     dem_wall_body_centre(b, centre);
     dem_vec_minus(point, centre, away);
-    if (b->turn.axes == 3)
+    if (b->rotation.axes == 3)
     {
         return dem_vec_dot(away, away);
     }
-    dem_vec_cross(b->turn.axes == 1 ? b->turn.axis : b->axis[0], away, across);
+    dem_vec_cross(b->rotation.axes == 1 ? b->rotation.axis : b->axis[0], away, across);
     return dem_vec_dot(across, across);
 }
 
@@ -165,7 +165,7 @@ void dem_wall_bodies_add_batch(struct dem_state *state, const struct dem_contact
             const double k = effects->pair.exponent*b->kn[c],
                          square = squared_arm(body, state->touches.touch[q->j].point),
                          arm = body->kind == DEM_WALL_BODY_HINGE ? square : 1.0,
-                         turning = body->turn.axes > 0 ? square*k : 0.0,
+                         turning = body->rotation.axes > 0 ? square*k : 0.0,
                          mass = i->inverse_mass > 0.0 ? 1.0/i->inverse_mass : i->mass;
 
             dem_binned_sum_add(&body->sum[1],
@@ -220,20 +220,17 @@ static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TE
 
 /* ---- limits ---------------------------------------------------------------------------------- */
 
-/* K dt^2/m, so that the period of the wall on its contacts is at least 31 steps. */
-static const double max_swing = 0.04;
-
 /* Way of a servo that meets nothing, in diameters of the largest particle. */
 static const double max_free_path = 200.0;
 
-static int check_turn(const struct dem_state *state, const struct dem_wall *of,
+static int check_rotation(const struct dem_state *state, const struct dem_wall *of,
                       const struct dem_wall_body *b)
 {
-    const double dt = state->dt, K = b->state.turning, least = K*dt*dt/max_swing,
-                 I = dem_wall_turn_least_inertia(&b->turn);
+    const double dt = state->dt, K = b->state.turning, least = K*dt*dt/DEM_WALL_BODY_MAX_SWING,
+                 I = dem_wall_rotation_least_inertia(&b->rotation);
     double w[3];
 
-    dem_wall_turn_spin(b, w);
+    dem_wall_rotation_spin(b, w);
     const double spin = dem_vec_norm(w);
 
     DEM_REQUIRE(I >= least, DEM_ERROR_NUMBER,
@@ -248,14 +245,14 @@ static int check_turn(const struct dem_state *state, const struct dem_wall *of,
 static int check_mass(const struct dem_state *state, const struct dem_wall *of,
                       const struct dem_wall_body *b)
 {
-    const double dt = state->dt, K = b->state.stiffness, least = K*dt*dt/max_swing;
+    const double dt = state->dt, K = b->state.stiffness, least = K*dt*dt/DEM_WALL_BODY_MAX_SWING;
     const int hinge = b->kind == DEM_WALL_BODY_HINGE;
 
     DEM_REQUIRE(b->mass >= least, DEM_ERROR_NUMBER,
                 "wall %s: %.3g %s on contacts of %.3g %s swings too fast for the step %.3g s; use at "
                 "least %.3g %s", of->name, b->mass, hinge ? "kg m2" : "kg", K, hinge ? "N m" : "N/m",
                 dt, least, hinge ? "kg m2, or a smaller time/step" : "kg, or type servo");
-    return b->turn.axes > 0 ? check_turn(state, of, b) : DEM_OK;
+    return b->rotation.axes > 0 ? check_rotation(state, of, b) : DEM_OK;
 }
 
 static int check_servo(const struct dem_state *state, const struct dem_wall *of,

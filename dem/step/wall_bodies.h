@@ -12,6 +12,9 @@
 #include "contacts/contact_batch.h"
 #include "ranks/dem_state.h"
 
+/* K dt^2/m, so that the period of a wall on its contacts is at least 31 steps. */
+#define DEM_WALL_BODY_MAX_SWING 0.04
+
 /* With the drift of the particles, before walls move. */
 void dem_wall_bodies_drift(struct dem_state *);
 

@@ -218,8 +218,8 @@ static const double *body_axis(const struct dem_wall_body *b, int axis)
 {
     static const double unit[2][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
-    return b->turn.axes == 3   ? unit[axis == 0]
-           : b->turn.axes == 1 ? b->turn.axis
+    return b->rotation.axes == 3     ? unit[axis == 0]
+           : b->rotation.axes == 1   ? b->rotation.axis
            : b->kind == DEM_WALL_BODY_HINGE ? b->axis[0]
                                             : NULL;
 }
@@ -273,15 +273,15 @@ static void hash_formula(struct dem_hash *hash, const struct dem_motion *m)
 
 static uint64_t hash_body(const struct dem_wall_body *b)
 {
-    const double kind[3] = {b->kind, b->axes, b->turn.axes};
+    const double kind[3] = {b->kind, b->axes, b->rotation.axes};
     struct dem_hash hash;
 
     dem_hash_start(&hash, 'b');
     dem_hash_bytes(&hash, kind, sizeof kind);
     dem_hash_bytes(&hash, b->axis, (size_t)b->axes*sizeof *b->axis);
     dem_hash_bytes(&hash, b->origin, sizeof b->origin);
-    dem_hash_bytes(&hash, b->turn.axis, sizeof b->turn.axis);
-    dem_hash_bytes(&hash, b->turn.centre, sizeof b->turn.centre);
+    dem_hash_bytes(&hash, b->rotation.axis, sizeof b->rotation.axis);
+    dem_hash_bytes(&hash, b->rotation.centre, sizeof b->rotation.centre);
     return dem_hash_value(&hash);
 }
 

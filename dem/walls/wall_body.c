@@ -7,7 +7,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "walls/wall_motion.h"
-#include "walls/wall_turn.h"
+#include "walls/wall_rotation.h"
 #include <math.h>
 #include <string.h>
 
@@ -16,7 +16,7 @@ void dem_wall_body_free(struct dem_wall_body *b)
     if (b)
     {
         dem_time_table_free(b->table);
-        dem_time_table_free(b->turn.table);
+        dem_time_table_free(b->rotation.table);
         dem_memory_free(b);
     }
 }
@@ -31,9 +31,9 @@ void dem_wall_body_pose(const struct dem_wall_body *b, int before, struct dem_po
         return;
     }
     *p = dem_pose_identity;
-    if (b->turn.axes > 0)
+    if (b->rotation.axes > 0)
     {
-        dem_wall_turn_pose(b, before, p);
+        dem_wall_rotation_pose(b, before, p);
     }
     for (int k = 0; k < b->axes; k++)
     {
@@ -46,9 +46,9 @@ void dem_wall_body_pose(const struct dem_wall_body *b, int before, struct dem_po
 
 void dem_wall_body_centre(const struct dem_wall_body *b, double centre[3])
 {
-    const int turns = b->turn.axes > 0;
+    const int turns = b->rotation.axes > 0;
 
-    memcpy(centre, turns ? b->turn.origin : b->origin, sizeof b->origin);
+    memcpy(centre, turns ? b->rotation.origin : b->origin, sizeof b->origin);
     for (int k = 0; k < b->axes && turns; k++)
     {
         for (int a = 0; a < 3; a++)
@@ -184,9 +184,9 @@ void dem_wall_body_kick(struct dem_wall_body *b, const struct dem_wall_body_kick
     {
         kick_axis(b, k, force[k], in->h, w);
     }
-    if (b->turn.axes > 0)
+    if (b->rotation.axes > 0)
     {
-        dem_wall_turn_kick(b, in, w);
+        dem_wall_rotation_kick(b, in, w);
     }
 }
 
@@ -213,13 +213,13 @@ void dem_wall_body_drift(struct dem_wall_body *b, double dt, struct dem_wall_bod
         s->free_path = s->contacts == 0.0 ? s->free_path + fabs(dt*s->v[k]) : 0.0;
     }
     w->lost += before - kinetic(b);
-    if (b->turn.axes > 0)
+    if (b->rotation.axes > 0)
     {
-        dem_wall_turn_drift(b, dt);
+        dem_wall_rotation_drift(b, dt);
     }
 }
 
 double dem_wall_body_kinetic(const struct dem_wall_body *b)
 {
-    return kinetic(b) + (b->turn.axes > 0 ? dem_wall_turn_kinetic(b) : 0.0);
+    return kinetic(b) + (b->rotation.axes > 0 ? dem_wall_rotation_kinetic(b) : 0.0);
 }

@@ -29,7 +29,7 @@
  *
  * Limits: free walls and hinges K dt^2 < 0.04 m in each sweep.
  *
- * A free wall may also rotate about its centre of mass: wall_turn.h.
+ * A free wall may also rotate about its centre of mass: wall_rotation.h.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -74,7 +74,7 @@ struct dem_wall_body_state
     double hold, height, near_time;       /* N, m, s  H; L, 0 before the target is near; for how long */
     double free_path, free_since;         /* m, s  path since the last contact, and when it began */
     double summed;                        /* 1: the sums are known; 0 before the first sweep */
-    double turn[4], turn_before[4];       /* rotation of a free wall, a unit quaternion; a step ago */
+    double rotation[4], rotation_before[4];       /* rotation of a free wall, a unit quaternion; a step ago */
     double momentum[3], torque[3];        /* kg m2/s, N m  about its centre; torque of the particles */
     double load[3], loaded;               /* N, N m  1: of the program, in place of the scene's */
 };
@@ -84,7 +84,7 @@ enum
     DEM_WALL_BODY_WORDS = sizeof(struct dem_wall_body_state)/sizeof(double)
 };
 
-struct dem_wall_turn                      /* rotation of a free wall, see wall_turn.h */
+struct dem_wall_rotation                      /* rotation of a free wall, see wall_rotation.h */
 {
     int axes;                             /* 0: none, 1: about `axis`, 3: about all */
     double axis[3];                       /* unit */
@@ -113,7 +113,7 @@ struct dem_wall_body
     struct dem_time_table *table;         /* of it instead, or NULL */
     double area;                          /* m2  target = pressure times area; 1 for a force */
     double max_speed, stops[2];           /* m/s; rad */
-    struct dem_wall_turn turn;
+    struct dem_wall_rotation rotation;
     struct dem_wall_body_state state, backup;
     struct dem_binned_sum sum[DEM_WALL_BODY_SUMS];    /* of this rank and sweep */
 };

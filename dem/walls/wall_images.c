@@ -23,7 +23,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
-#include "walls/walls.h"
+#include "walls/wall_extent.h"
 #include <math.h>
 #include <string.h>
 
@@ -213,96 +213,6 @@ int dem_walls_compare_images(struct dem_walls *w)
     return DEM_OK;
 }
 
-/* ---- extent ---------------------------------------------------------------------------------- */
-
-/* Displacements along an axis that a motion without rotation reaches [m]. */
-static void travel(const struct dem_motion *m, int axis, double range[2])
-{
-    const double v = m->velocity[axis], a = fabs(m->amplitude[axis]),
-                 end = v > 0.0 || v < 0.0 ? v*dem_motion_duration(m) : 0.0;
-    const int swings = m->kind == DEM_MOTION_OSCILLATION;
-
-    range[0] = swings ? -a : fmin(end, 0.0);
-    range[1] = swings ? a : fmax(end, 0.0);
-}
-
-static void add_to_extent(double at, double extent[2])
-{
-    extent[0] = fmin(extent[0], at);
-    extent[1] = fmax(extent[1], at);
-}
-
-/* A point on its way round: along an axis it is at  middle + A cos(angle) + B sin(angle). */
-static void add_rotating(const struct dem_motion *m, const double x[3], int axis, double extent[2])
-{
-    const double turn = m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0,
-                 whole = 6.28318530717958648;
-    double d[3], across[3];
-
-    dem_vec_minus(x, m->origin, d);
-    dem_vec_cross(m->axis, d, across);
-    const double along = dem_vec_dot(d, m->axis)*m->axis[axis], a = d[axis] - along,
-                 b = across[axis], middle = m->origin[axis] + along, radius = sqrt(a*a + b*b);
-
-    add_to_extent(x[axis], extent);
-    if (fabs(turn) < whole)
-    {
-        add_to_extent(middle + a*cos(turn) + b*sin(turn), extent);
-    }
-    for (int side = 1; side >= -1; side -= 2)
-    {
-        /* the angle of the largest or smallest coordinate, in the direction of the rotation */
-        double angle = atan2(side*b, side*a)*(turn < 0.0 ? -1.0 : 1.0);
-
-        angle += angle < 0.0 ? whole : 0.0;
-        if (angle <= fabs(turn))
-        {
-            add_to_extent(middle + side*radius, extent);
-        }
-    }
-}
-
-void dem_walls_swept_extent(const struct dem_walls *w, const struct dem_triangle *t, int axis,
-                            double extent[2])
-{
-    const int frame = w->wall[t->wall].frame;
-    const struct dem_motion *const m = frame < 0 ? NULL : &w->frame[frame].motion;
-    double range[2] = {0.0, 0.0};
-
-    if (m && m->kind == DEM_MOTION_COMPOUND)    /* of a table or a force: anywhere */
-    {
-        extent[0] = -INFINITY;
-        extent[1] = INFINITY;
-        return;
-    }
-    extent[0] = INFINITY;
-    extent[1] = -INFINITY;
-    for (int k = 0; k < 3; k++)
-    {
-        double at[3];
-
-        memcpy(at, t->corner[k], sizeof at);
-        if (m && w->frame[frame].resumed)
-        {
-            dem_pose_point(&w->frame[frame].base, t->corner[k], at);
-        }
-        if (m && m->kind == DEM_MOTION_ROTATION)
-        {
-            add_rotating(m, at, axis, extent);
-        }
-        else
-        {
-            add_to_extent(at[axis], extent);
-        }
-    }
-    if (m && m->kind != DEM_MOTION_ROTATION)
-    {
-        travel(m, axis, range);
-    }
-    extent[0] += range[0];
-    extent[1] += range[1];
-}
-
 /* ---- reference frames ------------------------------------------------------------------------ */
 
 static int is_along(const double axis[3], int k)
@@ -319,7 +229,7 @@ static int comes_near(const struct dem_walls *w, const struct dem_wall_frame *f,
     {
         return f->triangles && isfinite(f->box[0][k]);
     }
-    travel(&f->motion, k, range);
+    dem_motion_travel(&f->motion, k, range);
     range[0] += f->base.shift[k];
     range[1] += f->base.shift[k];
     return f->triangles && isfinite(f->box[0][k]) &&

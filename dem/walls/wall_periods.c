@@ -6,6 +6,7 @@
 #include "walls/wall_periods.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "walls/wall_extent.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -22,9 +23,9 @@ void dem_domain_make_walls_periodic(const struct dem_domain *d, double reach, st
     }
 }
 
-/* Extent along an axis of a wall without triangles. A plane or an inclined cylinder that crosses the
-   axis extends to infinity; a wall parallel to the axis has an empty extent. */
-static void primitive_extent(const struct dem_wall *w, int axis, double extent[2])
+/* Extent along an axis of a wall without triangles in its whole motion. A plane or an inclined cylinder that crosses
+   the axis extends to infinity; a wall parallel to the axis has an empty extent. */
+static void primitive_extent(const struct dem_walls *all, const struct dem_wall *w, int axis, double extent[2])
 {
     const double along = fabs(w->normal[axis]);
     const int parallel = w->shape == DEM_SHAPE_PLANE
@@ -33,8 +34,14 @@ static void primitive_extent(const struct dem_wall *w, int axis, double extent[2
     const int bounded =
         w->shape == DEM_SHAPE_SPHERE || (w->shape == DEM_SHAPE_CYLINDER && along < 1e-6);
 
-    extent[0] = parallel ? INFINITY : bounded ? w->point[axis] - w->radius : -INFINITY;
-    extent[1] = parallel ? -INFINITY : bounded ? w->point[axis] + w->radius : INFINITY;
+    extent[0] = parallel ? INFINITY : -INFINITY;
+    extent[1] = parallel ? -INFINITY : INFINITY;
+    if (bounded)
+    {
+        dem_walls_swept_point(all, w->frame, w->point, axis, extent);
+        extent[0] -= w->radius;
+        extent[1] += w->radius;
+    }
 }
 
 /* 1 when a vector is not along an axis, to this fraction of its length. */
@@ -45,56 +52,61 @@ static int is_across(const double v[3], int axis, double fraction)
 
 /* A surface whose rotation leans by less than this off a periodic axis has the velocity of its
    images to round-off. */
-static const double leaning = 1e-12;
+static const double round_off = 1e-12;
 
-/* The axis of a rotation of a wall about another axis than a periodic one; NULL: none. */
-static const double *motion_across(const struct dem_walls *w, const struct dem_wall *of, int axis)
+/* a rotation about another axis than a periodic one */
+struct leaning
+{
+    const double *about;          /* NULL: none */
+    const char *what;
+};
+
+static struct leaning leaning_of(const struct dem_walls *w, const struct dem_wall *of, int axis)
 {
     const struct dem_motion *const m = of->frame < 0 ? NULL : &w->frame[of->frame].motion;
     const struct dem_compound_motion *const c = m ? w->frame[of->frame].compound : NULL;
     int any;
+    const double *const about =
+        c ? dem_compound_motion_leans(c, axis, &any)
+          : m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis, 0.0) ? m->axis : NULL;
 
-    return c ? dem_compound_motion_leans(c, axis, &any)
-           : m && m->kind == DEM_MOTION_ROTATION && is_across(m->axis, axis, 0.0) ? m->axis : NULL;
-}
-
-static const double *drive_across(const struct dem_wall *of, int axis)
-{
-    return of->driven && is_across(of->drive.spin, axis, leaning) ? of->drive.spin : NULL;
+    return about ? (struct leaning){about, "its rotation"}
+           : of->driven && is_across(of->drive.spin, axis, round_off)
+               ? (struct leaning){of->drive.spin, "surfaceRotation"}
+               : (struct leaning){NULL, ""};
 }
 
 static int check_primitive(const struct dem_domain *d, int axis, double radius,
                            const struct dem_walls *w, const struct dem_wall *of)
 {
-    const double *const rotates = motion_across(w, of, axis),
-                 *const about = rotates ? rotates : drive_across(of, axis);
+    const struct leaning l = leaning_of(w, of, axis);
     double extent[2];
 
-    primitive_extent(of, axis, extent);
-    DEM_REQUIRE(!about || extent[0] < extent[1], DEM_ERROR_INPUT,
+    primitive_extent(w, of, axis, extent);
+    DEM_REQUIRE(!l.about || extent[0] < extent[1], DEM_ERROR_INPUT,
                 "wall %s runs through the periodic faces of domain along %c, where only a rotation about %c is "
                 "periodic, and %s is about (%g %g %g); build it from triangles that end a radius (%g m) before the "
-                "faces, or remove %c from domain/periodic", of->name, "xyz"[axis], "xyz"[axis],
-                rotates ? "its rotation" : "surfaceRotation", about ? about[0] : 0.0, about ? about[1] : 0.0,
-                about ? about[2] : 0.0, radius, "xyz"[axis]);
+                "faces, or remove %c from domain/periodic", of->name, "xyz"[axis], "xyz"[axis], l.what,
+                l.about ? l.about[0] : 0.0, l.about ? l.about[1] : 0.0, l.about ? l.about[2] : 0.0, radius, "xyz"[axis]);
     for (int side = 0; side < 2; side++)
     {
         const double face = side ? d->max[axis] : d->min[axis];
 
         DEM_REQUIRE(
             extent[0] >= face + radius || extent[1] <= face - radius, DEM_ERROR_INPUT,
-            "wall %s comes nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run "
+            "wall %s comes%s nearer than a radius (%g m) to the periodic face %s %c = %g m of domain and does not run "
             "straight through it: particles beyond the face would not touch the wall and would overlap it when they "
-            "are wrapped; move the wall away from the face, build it from triangles, or remove %c from "
+            "are wrapped; move the wall away from the face%s, build it from triangles, or remove %c from "
             "domain/periodic",
-            of->name, radius, side ? "max" : "min", "xyz"[axis], face, "xyz"[axis]);
+            of->name, of->frame < 0 ? "" : ", in its motion,", radius, side ? "max" : "min", "xyz"[axis], face,
+            of->frame < 0 ? "" : ", give its motion an end", "xyz"[axis]);
     }
     return DEM_OK;
 }
 
 /* Names all periodic axes that are in the way. */
 static int refuse_free_rotation(const struct dem_domain *d, const struct dem_walls *w, const struct dem_wall *of,
-                                const struct dem_wall_turn *t)
+                                const struct dem_wall_rotation *t)
 {
     const char about = t->axis[0] != 0.0 ? 'x' : t->axis[1] != 0.0 ? 'y' : 'z';
     char rotations[] = "x y z", along[] = "x, y, z", cure[24];
@@ -106,7 +118,7 @@ static int refuse_free_rotation(const struct dem_domain *d, const struct dem_wal
     }
     for (int k = 0; k < 3; k++)
     {
-        if (d->periodic[k] && (motion_across(w, of, k) || drive_across(of, k)))
+        if (d->periodic[k] && leaning_of(w, of, k).about)
         {
             snprintf(along + 3*n, sizeof along - (size_t)(3*n), "%c, ", "xyz"[k]);
             last = k;
@@ -125,17 +137,16 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
 {
     const struct dem_wall *const of = &w->wall[t->wall];
     const struct dem_compound_motion *const c = of->frame < 0 ? NULL : w->frame[of->frame].compound;
-    const double *const rotates = motion_across(w, of, axis),
-                 *const about = rotates ? rotates : drive_across(of, axis);
+    const struct leaning l = leaning_of(w, of, axis);
     double extent[2];
 
-    if (!about)
+    if (!l.about)
     {
         return DEM_OK;
     }
-    if (c && c->body && c->body->turn.axes > 0)
+    if (c && c->body && c->body->rotation.axes > 0)
     {
-        return refuse_free_rotation(d, w, of, &c->body->turn);
+        return refuse_free_rotation(d, w, of, &c->body->rotation);
     }
     dem_walls_swept_extent(w, t, axis, extent);
     for (int side = 0; side < 2; side++)
@@ -147,7 +158,7 @@ static int check_rotation(const struct dem_domain *d, int axis, double radius,
             "wall %s: %s about (%g %g %g) brings it nearer than a radius (%g m) to the periodic face %s %c = %g m "
             "of domain, where only a rotation about %c is periodic; move the wall away from the face, or remove %c "
             "from domain/periodic",
-            of->name, rotates ? "its rotation" : "surfaceRotation", about[0], about[1], about[2], radius,
+            of->name, l.what, l.about[0], l.about[1], l.about[2], radius,
             side ? "max" : "min", "xyz"[axis], face, "xyz"[axis], "xyz"[axis]);
     }
     return DEM_OK;

@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
-#include "walls/wall_turn.h"
+#include "walls/wall_rotation.h"
 #include "walls/walls.h"
 #include <string.h>
 
@@ -41,9 +41,9 @@ static int check_body(const struct dem_wall *w, const struct dem_compound_motion
     const struct dem_wall_body *const b = c->body;
     double across[3];
 
-    DEM_REQUIRE(b->turn.axes == 0 || w->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
+    DEM_REQUIRE(b->rotation.axes == 0 || w->shape == DEM_SHAPE_TRIANGLES, DEM_ERROR_INPUT,
                 "wall %s is a plane, which has no centre about which it could rotate; give triangles", w->name);
-    DEM_REQUIRE(b->turn.axes == 0 || c->parts == 0, DEM_ERROR_INPUT,
+    DEM_REQUIRE(b->rotation.axes == 0 || c->parts == 0, DEM_ERROR_INPUT,
                 "wall %s rotates freely, so it has no motion before that; take the others out", w->name);
 
     if (b->kind == DEM_WALL_BODY_HINGE)
@@ -160,7 +160,7 @@ static int rebase(struct dem_walls *w, int wall, const struct dem_motion *now,
     }
     if (w->frame[frame].compound->body)
     {
-        dem_wall_turn_prepare(&w->frame[frame].compound->body->turn, base);
+        dem_wall_rotation_prepare(&w->frame[frame].compound->body->rotation, base);
     }
     w->frame[frame].base = *base;
     w->frame[frame].resumed = !same_pose(base, &dem_pose_identity);

@@ -326,11 +326,6 @@ void dem_walls_make_pose_periodic(const struct dem_walls *, struct dem_wall_fram
 /* When lists are made: take whole periods off the displacements of frames. */
 void dem_walls_wrap(struct dem_walls *);
 
-/* Extent [m] along an axis of a triangle during the whole motion of its wall, without its periodic
-   images. */
-void dem_walls_swept_extent(const struct dem_walls *, const struct dem_triangle *, int axis,
-                            double extent[2]);
-
 /* Triangles of all walls and ranks. */
 size_t dem_walls_count_triangles(const struct dem_walls *);
 

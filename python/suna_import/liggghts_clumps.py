@@ -44,17 +44,14 @@ class Clump(Template):
 
 
 def template(t, name, group, words):
-    base, rest, number, spheres = Base(t), words[1:], None, None
-    while rest:
-        key = rest.pop(0)
-        if base.takes(key, rest):
-            continue
+    base, number, spheres = Base(t), None, None
+    for key, rest in base.others(words[1:]):
         if key == "nspheres":
             number = t.whole(rest.pop(0), 1, 256)
         elif key == "spheres":
             if number is None:
                 t.refuse("nspheres comes before it", "spheres")
-            spheres, rest = read_spheres(t, rest, number)
+            spheres, rest[:] = read_spheres(t, rest, number)
         elif key in ("ntry", "type", "volume_limit"):
             rest.pop(0)
         else:

@@ -25,13 +25,10 @@ PLACING = ("ntry_mc", "warn_region", "verbose", "parallel", "random_distribute",
 
 
 def template(t, name, group, words):
-    base, rest, style, radius = Base(t), words[1:], "constant", None
-    while rest:
-        key = rest.pop(0)
-        if base.takes(key, rest):
-            continue
+    base, style, radius = Base(t), "constant", None
+    for key, rest in base.others(words[1:]):
         if key == "radius":
-            style, radius, rest = radii(t, rest)
+            style, radius, rest[:] = radii(t, rest)
         elif key in ("volume_limit", "relative"):
             rest.pop(0)
         else:

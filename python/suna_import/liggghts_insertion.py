@@ -39,6 +39,13 @@ class Base:
     def __init__(self, t):
         self.t, self.type, self.density = t, 1, t.units.si("density", 1.0)
 
+    def others(self, rest):
+        """The other words, each with the list of those behind it, from which the caller takes what belongs to it."""
+        while rest:
+            key = rest.pop(0)
+            if not self.takes(key, rest):
+                yield key, rest
+
     def takes(self, key, rest):
         """Is it one of them? Then its value is taken from `rest`."""
         if key in ("atom_type", "material"):

@@ -49,6 +49,17 @@ PIMPLE {{ nOuterCorrectors {outer}; nCorrectors {correctors}; nNonOrthogonalCorr
         self.initial("p_rgh", "1 -1 -2 0 0 0 0", 0, entries("type fixedFluxPressure; value uniform 0;", more[1]))
         self.initial("alpha.water", "0 0 0 0 0 0 0", 0, entries("type zeroGradient;", more[2]))
 
+    def turbulence(self, model, k, epsilon, entries, nut):
+        """kEpsilon (RAS) or a model of LES; k, epsilon: at the start, entries: of their patches, a function of name and
+        value; nut: entries of its patches."""
+        kind = "RAS" if model == "kEpsilon" else "LES"
+        self.dictionary("constant/turbulenceProperties", f"simulationType {kind}; {kind} {{ {kind}Model {model}; "
+                        "turbulence on; delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; } }")
+        for name, dimensions, value in (("k", "0 2 -2 0 0 0 0", k), ("epsilon", "0 2 -3 0 0 0 0", epsilon)):
+            self.initial(name, dimensions, value, entries(name, value))
+        self.initial("nut", "0 2 -1 0 0 0 0", 0, nut)
+        self.sub("system/fvSolution", '"U\\.', '"(U|k|epsilon).')
+
     def for_stock(self):
         """Entries that interFoam needs besides."""
         self.sub("system/fvSolution", "nAlphaSubCycles 1;", "nAlphaSubCycles 1; nAlphaCorr 1;")

@@ -86,6 +86,10 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
 
     memset(&b, 0, sizeof b);
     b.n = 6;
+    for (int c = 0; c < b.n; c++)    /* as for all rows of a batch */
+    {
+        b.sphericity[c] = b.crosswise[c] = b.lengthwise[c] = 1.0;
+    }
     for (int c = 0; c < 4; c++)
     {
         body_fill(&b, c, 1e-3, 1000.0, 1e-3, 0.6, 20.0);

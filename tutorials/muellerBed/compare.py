@@ -134,7 +134,7 @@ def read_profiles(case, start, half, gaussian):
         sys.exit(f"compare: {len(chosen)} instants after {start:g} s are too few for an interval; run 0.1 s or more")
     cubes = 0                                       # m3, sum of d^3
     for _, *place in chosen:
-        beads = frames.read_frame(*place)
+        beads = frames.read_frame(*place, by_volume=True)
         cubes = (beads[2]**3).sum()
         for profile in profiles:
             profile.add(*beads)

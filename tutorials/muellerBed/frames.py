@@ -53,13 +53,14 @@ def spheres_each(case):
     return 3 if options.exists() and "seeds yes" in options.read_text() else 1
 
 
-def read_frame(path, at):
-    """Positions [m], velocities [m/s] and diameters [m] of all beads, or of the spheres of seeds."""
+def read_frame(path, at, by_volume=False):
+    """Positions [m], velocities [m/s] and diameters [m] of all beads, or of the spheres of seeds; by_volume: diameters
+    that add up to the volume of the seeds."""
     with open(path, "rb") as file:
         file.seek(at)
         count = numpy.fromfile(file, HEAD, 1)[0]["count"]
         beads = numpy.fromfile(file, BEAD, count)
-    if spheres_each(Path(path).parents[3]) > 1:
+    if by_volume and spheres_each(Path(path).parents[3]) > 1:
         beads["diameter"] *= SEED
     return tuple(beads[name].astype(float) for name in ("position", "velocity", "diameter"))
 

@@ -35,7 +35,7 @@ MEASURED = {"static height 2 <z>": "30", "void fraction over the height": "0.367
 
 def packing(case):
     """Height [m], void fraction over it and inside, volume of the beads [m3], mean diameter by volume [m]."""
-    position, _, diameter = frames.read_frame(*frames.list_frames(case)[0][1:])
+    position, _, diameter = frames.read_frame(*frames.list_frames(case)[0][1:], by_volume=True)
     volume = (numpy.pi/6*diameter**3).sum()
     height = 2*position[:, 2].mean()
     inside = averages.solid_volume(position, 0.5*diameter, numpy.array([0, WIDTH]), *INSIDE)[0]

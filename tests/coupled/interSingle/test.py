@@ -77,16 +77,12 @@ def duct(case, model=""):
         case.initial(name, dimensions, 0, f"walls {{ {flux} }} inlet {{ {flux} }} outlet {{ {given} }}")
     case.initial("alpha.water", "0 0 0 0 0 0 0", 1, '".*" { type zeroGradient; }')
     if model:
-        kind = "RAS" if model == "kEpsilon" else "LES"
-        case.dictionary("constant/turbulenceProperties", f"simulationType {kind}; {kind} {{ {kind}Model {model}; "
-                        "turbulence on; delta cubeRootVol; cubeRootVolCoeffs { deltaCoeff 1; } }")
-        for name, dimensions, value in (("k", "0 2 -2 0 0 0 0", 1e-3), ("epsilon", "0 2 -3 0 0 0 0", 1e-2)):
-            at_wall = ("type kqRWallFunction;" if name == "k" else "type epsilonWallFunction;") + f" value uniform {value};"
-            case.initial(name, dimensions, value, f"walls {{ {at_wall} }} inlet {{ type fixedValue; value uniform {value};"
-                         " } outlet { type zeroGradient; }")
-        case.initial("nut", "0 2 -1 0 0 0 0", 0, "walls { type nutkWallFunction; value uniform 0; } "
-                     '"(inlet|outlet)" { type calculated; value uniform 0; }')
-        case.sub("system/fvSolution", '"U\\.', '"(U|k|epsilon).')
+        def entries(name, value):
+            at_wall = "kqRWallFunction" if name == "k" else "epsilonWallFunction"
+            return (f"walls {{ type {at_wall}; value uniform {value}; }} inlet {{ type fixedValue; value uniform {value}; }} "
+                    "outlet { type zeroGradient; }")
+        case.turbulence(model, 1e-3, 1e-2, entries, "walls { type nutkWallFunction; value uniform 0; } "
+                        '"(inlet|outlet)" { type calculated; value uniform 0; }')
 
 
 feed = (f"feed {{ type stream; patch inlet; rate 4000; diameter {d}; velocity (0 0 0.6); }}"

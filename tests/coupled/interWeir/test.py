@@ -57,12 +57,9 @@ case.fields(("ground", "sides"), slip=True,
                   "inlet { type fixedValue; value uniform 1; } "
                   '"(outlet|top)" { type inletOutlet; inletValue uniform 0; value uniform 0; }'))
 case.alpha(lambda x: (x[:, 0] < crest[0]) & (x[:, 2] < foot + 0.01))
-case.dictionary("constant/turbulenceProperties", "simulationType RAS; RAS { RASModel kEpsilon; turbulence on; }")
-for name, dimensions, value in (("k", "0 2 -2 0 0 0 0", 1e-5), ("epsilon", "0 2 -3 0 0 0 0", 1e-4)):
-    case.initial(name, dimensions, value, f'".*" {{ type inletOutlet; inletValue uniform {value}; value uniform {value}; }}'
-                 ' "(ground|sides)" { type zeroGradient; }')
-case.initial("nut", "0 2 -1 0 0 0 0", 0, '".*" { type calculated; value uniform 0; }')
-case.sub("system/fvSolution", '"U\\.', '"(U|k|epsilon).')
+case.turbulence("kEpsilon", 1e-5, 1e-4, lambda name, value: '".*" { type inletOutlet; '
+                f'inletValue uniform {value}; value uniform {value}; }} "(ground|sides)" {{ type zeroGradient; }}',
+                '".*" { type calculated; value uniform 0; }')
 case.sub("system/fvSchemes", r"div\(phi,alpha\)", "div(phi,k) Gauss upwind; div(phi,epsilon) Gauss upwind; div(phi,alpha)")
 case.grains("grain { density 990; youngsModulus 1e5; }", "hertz {} dry { restitution 0.5; } gidaspow {}",
             f"feed {{ type stream; patch inlet; rate 100; diameter 1.5e-3; velocity ({speed} 0 0); }}"

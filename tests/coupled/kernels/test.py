@@ -127,6 +127,7 @@ for name, limit, key, share in (("maxParticleCo", 0.2, "Particle Courant Number 
     claim(f"a step limited by {name}: the limit is reached (10 %)", largest_seen > 0.9*limit)
 
 case = cluster("wrong", "diffusion", 1e-3)
-case.edit(control, maxParticleCo=0)
-claim_refused("maxParticleCo 0 is refused", case, "maxParticleCo is 0; it must be positive", "demPimpleFoam")
+for name, limit in (("maxParticleCo", 0), ("maxCo", -1)):
+    case.edit(control, **{"maxParticleCo": 0.5, name: limit})
+    claim_refused(f"{name} {limit} is refused", case, f"{name} is {limit}; it must be positive", "demPimpleFoam")
 finish()

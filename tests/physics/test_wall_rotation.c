@@ -1,5 +1,5 @@
 /*
- * test_wall_turn.c -- free walls that rotate about their centre of mass: Euler's top, mass and inertia of solids,
+ * test_wall_rotation.c -- free walls that rotate about their centre of mass: Euler's top, mass and inertia of solids,
  * the impact of a sphere, damping, one axis, restart, limits.
  *
  * Euler's top: I (1 2 3), spin (1/2 0 1) has the period 4 K(1/12) = 6.420600 (test_clumps.c).
@@ -339,6 +339,21 @@ static void weight_in_fluid(const char *motion, int refused)
 
 /* ---- refusals -------------------------------------------------------------------------------- */
 
+static const char *leaning_torque(void)
+{
+    static char path[] = "/tmp/torque.XXXXXX";
+
+    world_make_file(path);
+    FILE *const f = fopen(path, "w");
+
+    if (!f || fputs("time, x, z\n0, 1, 0\n1, 3, 0.2\n", f) < 0 || fclose(f))
+    {
+        printf("Bail out! cannot write %s\n", path);
+        exit(1);
+    }
+    return path;
+}
+
 static void refuses(const char *entries, const char *words)
 {
     world_refused(world_text("%s effects { hertz {} } walls { w { type triangles; corners ((0 0 0) (1 0 0) (0 1 0)); "
@@ -373,6 +388,10 @@ int main(void)
     refuses("mass 1; axes (y z); velocity (1 3 0);",
             "velocity (1 3 0) m/s, but wall w moves freely along y z only; give velocity (0 3 0), or more axes");
     refuses("mass 1; axis (3 0 4); velocity (4 0 -3);", "moves freely along (0.6 0 0.8) only");
+    refuses("mass 1; axes (z); force (0 2 -5);",
+            "force (0 2 -5) N, but wall w moves freely along z only; give force (0 0 -5), or more axes");
+    refuses(world_text("mass 1; rotations (x); inertia (1 1 1); centre (0 0 0); torque { file \"%s\"; }", leaning_torque()),
+            "torque (3 0 0.2) N m at time 1 s of the table, but wall w rotates freely about x only");
     refuses("mass 1; velocity (1 0 0); start 1;", "moves later");
     world_refused(world_text("%s effects { hertz {} } walls { w { type plane; point (0 0 0); normal (0 0 1); motion { type "
                              "free; mass 1; rotations (z); inertia (1 1 1); centre (0 0 0); } } }", glass),

@@ -1,9 +1,9 @@
 /*
- * wall_turn.c -- kicks and drifts of the rotation of a free wall (formulas: wall_turn.h).
+ * wall_rotation.c -- kicks and drifts of the rotation of a free wall (formulas: wall_rotation.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "walls/wall_turn.h"
+#include "walls/wall_rotation.h"
 #include "core/vec.h"
 #include "particles/clump.h"
 #include "particles/principal_axes.h"
@@ -23,7 +23,7 @@ static void apply(const double T[3][3], const double in[3], double out[3])
 }
 
 /* The tensor in space: B T B^T. */
-static void tensor_in_space(const struct dem_wall_turn *t, const struct dem_pose *base, double A[3][3])
+static void tensor_in_space(const struct dem_wall_rotation *t, const struct dem_pose *base, double A[3][3])
 {
     for (int i = 0; i < 9; i++)
     {
@@ -34,7 +34,7 @@ static void tensor_in_space(const struct dem_wall_turn *t, const struct dem_pose
     }
 }
 
-void dem_wall_turn_prepare(struct dem_wall_turn *t, const struct dem_pose *base)
+void dem_wall_rotation_prepare(struct dem_wall_rotation *t, const struct dem_pose *base)
 {
     double A[3][3], R[3][3], about[3];
 
@@ -53,16 +53,16 @@ void dem_wall_turn_prepare(struct dem_wall_turn *t, const struct dem_pose *base)
     }
 }
 
-void dem_wall_turn_start(struct dem_wall_body *b)
+void dem_wall_rotation_start(struct dem_wall_body *b)
 {
-    apply((const double (*)[3])b->turn.tensor, b->turn.spin, b->state.momentum);
-    for (int k = 0; k < 3 && b->turn.axes == 1; k++)
+    apply((const double (*)[3])b->rotation.tensor, b->rotation.spin, b->state.momentum);
+    for (int k = 0; k < 3 && b->rotation.axes == 1; k++)
     {
-        b->state.momentum[k] = dem_vec_dot(b->turn.spin, b->turn.axis)*b->turn.inertia[0]*b->turn.axis[k];
+        b->state.momentum[k] = dem_vec_dot(b->rotation.spin, b->rotation.axis)*b->rotation.inertia[0]*b->rotation.axis[k];
     }
 }
 
-int dem_wall_turn_impossible(const struct dem_wall_turn *t)
+int dem_wall_rotation_impossible(const struct dem_wall_rotation *t)
 {
     static const double rounded = 0.01;    /* of numbers that were printed with three digits */
     const double *const I = t->inertia;
@@ -76,7 +76,7 @@ int dem_wall_turn_impossible(const struct dem_wall_turn *t)
     return bad;
 }
 
-double dem_wall_turn_least_inertia(const struct dem_wall_turn *t)
+double dem_wall_rotation_least_inertia(const struct dem_wall_rotation *t)
 {
     return fmin(t->inertia[0], fmin(t->inertia[1], t->inertia[2]));
 }
@@ -87,14 +87,14 @@ double dem_wall_turn_least_inertia(const struct dem_wall_turn *t)
 static void as_clump(const struct dem_wall_body *b, struct dem_clump *c)
 {
     *c = (struct dem_clump){.mass = b->mass};
-    memcpy(c->inertia, b->turn.inertia, sizeof c->inertia);
+    memcpy(c->inertia, b->rotation.inertia, sizeof c->inertia);
     memcpy(c->momentum, b->state.momentum, sizeof c->momentum);
-    dem_clump_product(b->state.turn, b->turn.principal, c->q);
+    dem_clump_product(b->state.rotation, b->rotation.principal, c->q);
 }
 
-void dem_wall_turn_pose(const struct dem_wall_body *b, int before, struct dem_pose *p)
+void dem_wall_rotation_pose(const struct dem_wall_body *b, int before, struct dem_pose *p)
 {
-    const double *const q = before ? b->state.turn_before : b->state.turn;
+    const double *const q = before ? b->state.rotation_before : b->state.rotation;
     double turned[3];
 
     for (int k = 0; k < 3; k++)
@@ -107,12 +107,12 @@ void dem_wall_turn_pose(const struct dem_wall_body *b, int before, struct dem_po
             p->rotation[a][k] = turned[a];
         }
     }
-    dem_clump_rotate(q, b->turn.origin, turned);
-    dem_vec_minus(b->turn.origin, turned, p->shift);
+    dem_clump_rotate(q, b->rotation.origin, turned);
+    dem_vec_minus(b->rotation.origin, turned, p->shift);
 }
 
 /* v, or with one axis its component along it. */
-static void along(const struct dem_wall_turn *t, const double v[3], double out[3])
+static void along(const struct dem_wall_rotation *t, const double v[3], double out[3])
 {
     const double size = dem_vec_dot(v, t->axis);
 
@@ -122,20 +122,20 @@ static void along(const struct dem_wall_turn *t, const double v[3], double out[3
     }
 }
 
-void dem_wall_turn_kick(struct dem_wall_body *b, const struct dem_wall_body_kick *in,
+void dem_wall_rotation_kick(struct dem_wall_body *b, const struct dem_wall_body_kick *in,
                         struct dem_wall_body_work *w)
 {
-    double table[DEM_TIME_TABLE_COLUMNS] = {b->turn.torque[0], b->turn.torque[1], b->turn.torque[2]};
+    double table[DEM_TIME_TABLE_COLUMNS] = {b->rotation.torque[0], b->rotation.torque[1], b->rotation.torque[2]};
     double given[3], contacts[3], before[3], drag[3] = {0.0, 0.0, 0.0}, mean[3], kicked[3], body[3];
-    const double h = in->h, c = b->turn.damping;
+    const double h = in->h, c = b->rotation.damping;
     struct dem_clump as;
 
-    if (b->turn.table)
+    if (b->rotation.table)
     {
-        dem_time_table_at(b->turn.table, in->time - b->start, table);
+        dem_time_table_at(b->rotation.table, in->time - b->start, table);
     }
-    along(&b->turn, table, given);
-    along(&b->turn, b->state.torque, contacts);
+    along(&b->rotation, table, given);
+    along(&b->rotation, b->state.torque, contacts);
     as_clump(b, &as);
     dem_clump_spin(&as, before);
     for (int k = 0; k < 3; k++)
@@ -165,27 +165,27 @@ void dem_wall_turn_kick(struct dem_wall_body *b, const struct dem_wall_body_kick
     w->lost += h*dem_vec_dot(drag, mean);
 }
 
-void dem_wall_turn_drift(struct dem_wall_body *b, double dt)
+void dem_wall_rotation_drift(struct dem_wall_body *b, double dt)
 {
-    const double back[4] = {b->turn.principal[0], -b->turn.principal[1], -b->turn.principal[2],
-                            -b->turn.principal[3]};
+    const double back[4] = {b->rotation.principal[0], -b->rotation.principal[1], -b->rotation.principal[2],
+                            -b->rotation.principal[3]};
     struct dem_clump as;
 
     as_clump(b, &as);
     dem_clump_turn(&as, dt);
-    memcpy(b->state.turn_before, b->state.turn, sizeof b->state.turn);
-    dem_clump_product(as.q, back, b->state.turn);
+    memcpy(b->state.rotation_before, b->state.rotation, sizeof b->state.rotation);
+    dem_clump_product(as.q, back, b->state.rotation);
 }
 
-double dem_wall_turn_kinetic(const struct dem_wall_body *b)
+double dem_wall_rotation_kinetic(const struct dem_wall_body *b)
 {
     double w[3];
 
-    dem_wall_turn_spin(b, w);
+    dem_wall_rotation_spin(b, w);
     return 0.5*dem_vec_dot(w, b->state.momentum);
 }
 
-void dem_wall_turn_spin(const struct dem_wall_body *b, double w[3])
+void dem_wall_rotation_spin(const struct dem_wall_body *b, double w[3])
 {
     struct dem_clump as;
 

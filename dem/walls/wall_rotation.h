@@ -1,5 +1,5 @@
 /*
- * wall_turn.h -- rotation of a free wall about its centre of mass, about one axis that is fixed in space or
+ * wall_rotation.h -- rotation of a free wall about its centre of mass, about one axis that is fixed in space or
  * about all.
  *
  *   kick    L += h (T + t - c w+)
@@ -22,32 +22,32 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_TURN_H
-#define DEM_WALLS_WALL_TURN_H
+#ifndef DEM_WALLS_WALL_ROTATION_H
+#define DEM_WALLS_WALL_ROTATION_H
 
 #include "walls/wall_body.h"
 
 /* Centre and principal axes of a wall that begins at the pose `base` of its frame. */
-void dem_wall_turn_prepare(struct dem_wall_turn *, const struct dem_pose *base);
+void dem_wall_rotation_prepare(struct dem_wall_rotation *, const struct dem_pose *base);
 
 /* The angular momentum of its spin at the start. */
-void dem_wall_turn_start(struct dem_wall_body *);
+void dem_wall_rotation_start(struct dem_wall_body *);
 
 /* 1 when no rigid body has these moments of inertia, to the rounding of printed numbers. */
-int dem_wall_turn_impossible(const struct dem_wall_turn *);
+int dem_wall_rotation_impossible(const struct dem_wall_rotation *);
 
 /* The rotation about the centre, without displacements; `before`: a step ago. */
-void dem_wall_turn_pose(const struct dem_wall_body *, int before, struct dem_pose *);
+void dem_wall_rotation_pose(const struct dem_wall_body *, int before, struct dem_pose *);
 
 /* Parts of dem_wall_body_kick, dem_wall_body_drift and dem_wall_body_kinetic. */
-void dem_wall_turn_kick(struct dem_wall_body *, const struct dem_wall_body_kick *,
+void dem_wall_rotation_kick(struct dem_wall_body *, const struct dem_wall_body_kick *,
                         struct dem_wall_body_work *);
-void dem_wall_turn_drift(struct dem_wall_body *, double dt);
-double dem_wall_turn_kinetic(const struct dem_wall_body *);    /* J */
+void dem_wall_rotation_drift(struct dem_wall_body *, double dt);
+double dem_wall_rotation_kinetic(const struct dem_wall_body *);    /* J */
 
-void dem_wall_turn_spin(const struct dem_wall_body *, double w[3]);    /* 1/s */
+void dem_wall_rotation_spin(const struct dem_wall_body *, double w[3]);    /* 1/s */
 
 /* The least moment of inertia about which it may rotate [kg m2]. */
-double dem_wall_turn_least_inertia(const struct dem_wall_turn *);
+double dem_wall_rotation_least_inertia(const struct dem_wall_rotation *);
 
 #endif
