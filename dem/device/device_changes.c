@@ -32,8 +32,8 @@ static int put_places(struct dem_device *d, const struct dem_state *state, const
         d->word[i] = k < n ? (uint32_t)k : UINT32_MAX;
         at = k < n ? k + 1 : n;    /* new ones are behind all others */
     }
-    d->moved = 1;
-    return dem_opencl_put(d->cl, &d->was, p->n*sizeof *d->word, d->word);
+    d->renumbered = 1;
+    return dem_opencl_put(d->cl, &d->former_place, p->n*sizeof *d->word, d->word);
 }
 
 static int change(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps)

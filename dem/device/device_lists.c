@@ -84,7 +84,7 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->was, sizeof(uint32_t)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->former_place, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));
     return put_classes(d, state);
 }
@@ -168,7 +168,7 @@ static struct dem_device_lists constants_of(const struct dem_device *d,
     l.columns = (uint32_t)state->interaction_table.history_columns;
     l.old_stride = old->rows;
     l.old_walls = old->walls;
-    l.moved = d->moved;
+    l.renumbered = d->renumbered;
     l.keep_all = state->interaction_table.past_touching;
     l.keep_frozen = state->interaction_table.contact_scalars;
     return l;
@@ -269,7 +269,7 @@ static int fill(struct dem_device *d, const struct dem_state *state, struct dem_
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k[DEM_LISTS_HISTORY], 0, &d->lists, &d->record, &list->start,
                             &d->partner, &list->entry, &old->start, &old->entry, &old->partners,
                             &d->image, &old->touch, &old->history, &list->touch, &list->history,
-                            &d->facets, &d->images, &list->near, &d->was));
+                            &d->facets, &d->images, &list->near, &d->former_place));
     return dem_opencl_launch(d->cl, k[DEM_LISTS_HISTORY], n);
 }
 
@@ -294,7 +294,7 @@ int dem_device_make_lists(struct dem_device *d, const struct dem_state *state, d
     l.walls = list->walls;
     DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
     d->own = 1;
-    d->moved = 0;
+    d->renumbered = 0;
     d->counts.lists++;
     return fill(d, state, list, old);
 }

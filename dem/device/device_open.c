@@ -156,7 +156,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
         &d->before_columns, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
         &d->place, &d->first, &d->order, &d->row_first, &d->sums, &d->partner, &d->image,
-        &d->totals, &d->largest, &d->was, &a->partners, &a->start, &a->entry, &a->touch, &a->history,
+        &d->totals, &d->largest, &d->former_place, &a->partners, &a->start, &a->entry, &a->touch, &a->history,
         &b->partners, &b->start, &b->entry, &b->touch, &b->history};
 
     return k < sizeof all/sizeof *all ? all[k] : NULL;

@@ -2,9 +2,9 @@
  * device_steps.c -- make steps on a device.
  *
  * A step is one kernel for contacts with facets, if there are several, one for each pair class and one
- * for the particles, in this order; the queue keeps it. After up to DEM_DEVICE_BATCH steps the host reads a report. A step of which the lists might
- * miss a contact is left out by the kernels themselves, and so are all after it. Then displacements
- * are measured, and lists are made anew if they are used up.
+ * for the particles, in this order; the queue keeps it. After up to DEM_DEVICE_BATCH steps the host reads
+ * a report. A step of which the lists might miss a contact is left out by the kernels themselves, and so
+ * are all after it. Then displacements are measured, and lists are made anew if they are used up.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -212,45 +212,50 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
     return DEM_OK;
 }
 
-/* The lists may be used up: measure, and make new ones if more than half of the displacement is.
-   changed: make new ones, for particles that have entered or left. */
-static int renew_lists(struct dem_device *d, struct dem_state *state,
-                       const struct dem_device_steps *steps, struct progress *p, int changed, int *end)
+/* New lists for the next step. changed: particles have entered or left, and images are kept already. *end: 1 when
+   the host has to make this step. */
+static int make_lists(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
+                      struct progress *p, int changed, int *end)
 {
     struct dem_device_batch next = batch_of(d, state, steps, p);
     uint32_t one = 1;
 
-    DEM_TRY(changed ? DEM_OK : dem_device_displacement(d, state, &p->moved));
-    if (!changed && p->moved <= 0.5*p->rest)
+    p->skin = dem_device_skin(d, d->last_speed, state->dt);
+    /* to the position of the next step, whose lists these are */
+    DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
+    *end = one == 0;
+    if (*end)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(changed ? DEM_OK : dem_device_keep_images(d));
+    if (state->walls.periodic)
+    {
+        DEM_TRY(dem_device_wrap_walls(d, state));
+        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
+    }
+    for (enum dem_list l = 0; l < DEM_LISTS; l++)
+    {
+        dem_walls_reset_marks(&state->walls, l);
+    }
+    DEM_TRY(dem_device_make_lists(d, state, p->skin, end));
+    p->moved = 0.0;
+    p->rest = 0.5*p->skin;
+    return DEM_OK;
+}
+
+/* The lists may be used up: measure, and make new ones, or let the host, if more than half of the displacement
+   is. */
+static int renew_lists(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
+                       struct progress *p, int *end)
+{
+    DEM_TRY(dem_device_displacement(d, state, &p->moved));
+    if (p->moved <= 0.5*p->rest)
     {
         return DEM_OK;
     }
     *end = !d->makes_lists;
-    if (d->makes_lists)
-    {
-        p->skin = dem_device_skin(d, d->last_speed, state->dt);
-        /* to the position of the next step, whose lists these are */
-        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
-        if (one == 0)
-        {
-            *end = 1;
-            return DEM_OK;
-        }
-        DEM_TRY(changed ? DEM_OK : dem_device_keep_images(d));
-        if (state->walls.periodic)
-        {
-            DEM_TRY(dem_device_wrap_walls(d, state));
-            DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
-        }
-        for (enum dem_list l = 0; l < DEM_LISTS; l++)
-        {
-            dem_walls_reset_marks(&state->walls, l);
-        }
-        DEM_TRY(dem_device_make_lists(d, state, p->skin, end));
-        p->moved = 0.0;
-        p->rest = 0.5*p->skin;
-    }
-    return DEM_OK;
+    return d->makes_lists ? make_lists(d, state, steps, p, 0, end) : DEM_OK;
 }
 
 /* Steps and lists, until all are made or the host has to go on. */
@@ -272,7 +277,7 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
         }
         if (changed)
         {
-            DEM_TRY(renew_lists(d, state, steps, &p, 1, &end));
+            DEM_TRY(make_lists(d, state, steps, &p, 1, &end));
         }
         else if (!end && p.moved <= p.rest)
         {
@@ -281,7 +286,7 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
         if (!end && !changed && steps->made < steps->most &&
             (p.moved > p.rest || steps->made == before))
         {
-            DEM_TRY(renew_lists(d, state, steps, &p, 0, &end));
+            DEM_TRY(renew_lists(d, state, steps, &p, &end));
         }
     }
     return DEM_OK;

@@ -386,8 +386,8 @@ kernel void lists_entries(constant struct dem_device_lists *l,
     }
 }
 
-/* History of the rows that stay, zero for others. places: of particles in the lists before. keep_all: laws act past touching, so that the
-   history of rows that do not touch counts. */
+/* History of the rows that stay, zero for others. former_place: of particles, in the lists before. keep_all:
+   laws act past touching, so that the history of rows that do not touch counts. */
 kernel void lists_history(constant struct dem_device_lists *l,
                           global const double4 *restrict record, global const uint *restrict start,
                           global const uint *restrict list, global const uint *restrict entry,
@@ -400,7 +400,7 @@ kernel void lists_history(constant struct dem_device_lists *l,
                           global uchar *restrict touch, global double *restrict history,
                           global const struct dem_facet *restrict facets,
                           global const struct dem_device_images *restrict images,
-                          global const uint4 *restrict near, global const uint *restrict places)
+                          global const uint4 *restrict near, global const uint *restrict former_place)
 {
     const uint i = get_global_id(0);
 
@@ -409,10 +409,11 @@ kernel void lists_history(constant struct dem_device_lists *l,
         const uint j = list[e] & ((1u << SHIFT_BITS) - 1), code = list[e] >> SHIFT_BITS,
                    row = entry[e] >> 1;
         const int wall = code == FACET;
-        const uint i_was = l->moved ? places[i] : i, j_was = l->moved && !wall ? places[j] : j,
-                   first = i_was == UINT_MAX ? 0 : old_start[i_was],
-                   end = i_was == UINT_MAX ? 0 : old_start[i_was + 1];
-        uint was = UINT_MAX;
+        const uint former_i = l->renumbered ? former_place[i] : i,
+                   former_j = l->renumbered && !wall ? former_place[j] : j,
+                   first = former_i == UINT_MAX ? 0 : old_start[former_i],
+                   end = former_i == UINT_MAX ? 0 : old_start[former_i + 1];
+        uint former = UINT_MAX;
 
         if (entry[e] & 1)
         {
@@ -423,23 +424,23 @@ kernel void lists_history(constant struct dem_device_lists *l,
             wall ? dem_image_of_row(bits, j, facets, images, near, row - l->walls)
                  : dem_image_of_pair((int)code, dem_image(bits), dem_image(dem_bits(record, j)));
 
-        for (uint o = first; o < end && was == UINT_MAX; o++)
+        for (uint o = first; o < end && former == UINT_MAX; o++)
         {
             const uint r = old_entry[o] >> 1;
             const uint other = old_partners[r].y & ((1u << SHIFT_BITS) - 1);
 
-            was = !(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == j_was &&
+            former = !(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == former_j &&
                           old_image[r] == image
                       ? r
                       : UINT_MAX;
         }
-        const int known = was != UINT_MAX && old_touch[was] & DEM_DEVICE_TOUCHES;
+        const int known = former != UINT_MAX && old_touch[former] & DEM_DEVICE_TOUCHES;
 
         touch[row] = l->keep_all || known;
         for (uint m = 0; (known || l->keep_all) && m < l->columns; m++)
         {
             history[(size_t)m*l->stride + row] =
-                known ? old_history[(size_t)m*l->old_stride + was] : 0.0;
+                known ? old_history[(size_t)m*l->old_stride + former] : 0.0;
         }
     }
 }

@@ -111,7 +111,7 @@ struct dem_device_lists
     uint32_t walls;                         /*    the first row of a wall */
     uint32_t particles, facets, materials, columns;
     uint32_t stride, old_stride, old_walls; /*    rows; rows before, the first one of a wall */
-    int moved;                              /* 1: particles have other places than in the lists before */
+    int renumbered;                         /* 1: particles have other places than in the lists before */
     int keep_all;                           /* 1: laws act past touching */
     int keep_frozen;                        /* 1: frozen particles have contacts, for scalars */
 };
