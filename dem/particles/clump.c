@@ -106,6 +106,7 @@ void dem_clumps_free(struct dem_clumps *c)
 {
     dem_memory_free(c->start);
     dem_memory_free(c->member);
+    dem_memory_free(c->arm);
     memset(c, 0, sizeof *c);
 }
 
@@ -132,6 +133,12 @@ static void fill(struct dem_clumps *c, const struct dem_particles *p, size_t mem
         }
     }
     c->start[c->n] = members;
+    for (k = 0; k < members; k++)
+    {
+        const struct dem_clump *const b = dem_clump_at(p, c->member[k]);
+
+        dem_clump_rotate(b->q, b->offset, c->arm[k]);
+    }
 }
 
 int dem_clumps_index(struct dem_clumps *c, const struct dem_particles *p)
@@ -151,6 +158,7 @@ int dem_clumps_index(struct dem_clumps *c, const struct dem_particles *p)
     }
     DEM_TRY(DEM_GROW(c->start, c->start_capacity, members + 1));
     DEM_TRY(DEM_GROW(c->member, c->member_capacity, members + 1));
+    DEM_TRY(DEM_GROW(c->arm, c->arm_capacity, members + 1));
     int status = DEM_NEW(key, 2*members + 1);
 
     status = status ? status : DEM_NEW(scratch, members + 1);
@@ -170,14 +178,12 @@ static double rounded(const struct dem_domain *d, int k, double value)
     return (value + d->round[k]) - d->round[k];
 }
 
-/* The displacement [m] that brings sphere i to its place. */
+/* The displacement [m] that brings sphere i to its place, R r_k from the centre. */
 static void displacement(const struct dem_particles *p, size_t i, const struct dem_domain *d,
-                         double move[3])
+                         const double arm[3], double move[3])
 {
     const struct dem_clump *const b = dem_clump_at(p, i);
-    double arm[3];
 
-    dem_clump_rotate(b->q, b->offset, arm);
     for (int k = 0; k < 3; k++)
     {
         const double to = b->x[k] + rounded(d, k, arm[k]) - p->record[i].x[k];
@@ -216,14 +222,14 @@ void dem_clump_put(const struct dem_clump *b, const struct dem_domain *d, struct
 
 /* Bodies that turn side by side: drift them, and write their places to all spheres. */
 static void drift_several(const struct dem_clumps *c, struct dem_particles *p, const struct dem_domain *d,
-                          double dt, size_t first, int n)
+                          double dt, const size_t *of, int n)
 {
     struct dem_clump *body[DEM_CLUMP_LANES] = {NULL};
     double spin[DEM_CLUMP_LANES][3], move[3];
 
     for (int m = 0; m < n; m++)
     {
-        body[m] = dem_clump_at(p, c->member[c->start[first + (size_t)m]]);
+        body[m] = dem_clump_at(p, c->member[c->start[of[m]]]);
         for (int k = 0; k < 3; k++)
         {
             body[m]->x[k] += rounded(d, k, dt*body[m]->v[k]);
@@ -232,14 +238,15 @@ static void drift_several(const struct dem_clumps *c, struct dem_particles *p, c
     dem_clump_turn_several(body, n, dt, spin);
     for (int m = 0; m < n; m++)
     {
-        for (size_t k = c->start[first + (size_t)m]; k < c->start[first + (size_t)m + 1]; k++)
+        for (size_t k = c->start[of[m]]; k < c->start[of[m] + 1]; k++)
         {
             struct dem_particle *const r = &p->record[c->member[k]];
             struct dem_clump *const to = dem_clump_at(p, c->member[k]);
 
             memmove(to->x, body[m]->x, sizeof to->x);
             memmove(to->q, body[m]->q, sizeof to->q);
-            displacement(p, c->member[k], d, move);
+            dem_clump_rotate(to->q, to->offset, c->arm[k]);
+            displacement(p, c->member[k], d, c->arm[k], move);
             for (int a = 0; a < 3; a++)
             {
                 r->v[a] = move[a]/dt;
@@ -252,20 +259,27 @@ static void drift_several(const struct dem_clumps *c, struct dem_particles *p, c
 void dem_clumps_drift(const struct dem_clumps *c, struct dem_particles *p,
                       const struct dem_domain *d, double dt)
 {
-    for (size_t first = 0; first < c->n; first += DEM_CLUMP_LANES)
+    size_t moving[DEM_CLUMP_LANES];
+    int n = 0;
+
+    for (size_t body = 0; body < c->n; body++)
     {
-        drift_several(c, p, d, dt, first,
-                      c->n - first < DEM_CLUMP_LANES ? (int)(c->n - first) : DEM_CLUMP_LANES);
+        moving[n] = body;
+        n += !dem_clumps_frozen(c, body, p);
+        if (n == DEM_CLUMP_LANES || (n > 0 && body + 1 == c->n))
+        {
+            drift_several(c, p, d, dt, moving, n);
+            n = 0;
+        }
     }
 }
 
 /* Velocity and spin of a sphere from its body, which has the spin w. */
-static void set_velocity(struct dem_particles *p, size_t i, const double w[3])
+static void set_velocity(struct dem_particles *p, size_t i, const double arm[3], const double w[3])
 {
     const struct dem_clump *const b = dem_clump_at(p, i);
-    double arm[3], turning[3];
+    double turning[3];
 
-    dem_clump_rotate(b->q, b->offset, arm);
     dem_vec_cross(w, arm, turning);
     for (int a = 0; a < 3; a++)
     {
@@ -284,10 +298,11 @@ void dem_clump_fall(struct dem_particles *p, size_t i, const double g[3], double
     }
     if (b)
     {
-        double w[3];
+        double w[3], arm[3];
 
         dem_clump_spin(b, w);
-        set_velocity(p, i, w);
+        dem_clump_rotate(b->q, b->offset, arm);
+        set_velocity(p, i, arm, w);
     }
 }
 
@@ -296,15 +311,13 @@ void dem_clump_contact_sums(const struct dem_clumps *c, size_t body, const struc
 {
     const double *const force = dem_column(p, DEM_COLUMN_FORCE),
                  *const torque = dem_column(p, DEM_COLUMN_TORQUE);
-    const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
 
     for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
     {
         const size_t i = c->member[k];
-        double arm[3], moment[3];
+        double moment[3];
 
-        dem_clump_rotate(b->q, dem_clump_at(p, i)->offset, arm);
-        dem_vec_cross(arm, force + 3*i, moment);
+        dem_vec_cross(c->arm[k], force + 3*i, moment);
         for (int a = 0; a < 3; a++)
         {
             F[a] += force[3*i + (size_t)a];
@@ -325,7 +338,7 @@ void dem_clump_spread(const struct dem_clumps *c, size_t body, struct dem_partic
 
         memmove(to->v, b->v, sizeof to->v);
         memmove(to->momentum, b->momentum, sizeof to->momentum);
-        set_velocity(p, c->member[k], w);
+        set_velocity(p, c->member[k], c->arm[k], w);
     }
 }
 
@@ -335,9 +348,10 @@ void dem_clumps_kick(const struct dem_clumps *c, struct dem_particles *p, const 
     {
         struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
         double F[3] = {0.0, 0.0, 0.0}, T[3] = {0.0, 0.0, 0.0};
+        const int moves = !dem_clumps_frozen(c, body, p);
 
         dem_clump_contact_sums(c, body, p, F, T);
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; a < 3 && moves; a++)
         {
             b->v[a] += h*(F[a]/b->mass + g[a]);
             b->momentum[a] += h*T[a];

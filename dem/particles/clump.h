@@ -51,7 +51,8 @@ struct dem_clumps
     size_t n;                    /* bodies */
     size_t *start;               /* of each in the next array, and the end */
     uint32_t *member;            /* particles in the order of their ids */
-    size_t start_capacity, member_capacity;
+    double (*arm)[3];            /* m  R r_k of each, as the drift left it */
+    size_t start_capacity, member_capacity, arm_capacity;
     struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
     struct dem_clump_heat *heat; /* NULL: they have no temperature; step/clump_heat.h */
 };
@@ -122,6 +123,12 @@ void dem_clumps_free(struct dem_clumps *);
 
 /* List the spheres of the bodies, after the order of particles has changed. */
 int dem_clumps_index(struct dem_clumps *, const struct dem_particles *);
+
+/* 1 when no force moves the body: it is frozen. */
+static inline int dem_clumps_frozen(const struct dem_clumps *c, size_t body, const struct dem_particles *p)
+{
+    return (p->record[c->member[c->start[body]]].flags & DEM_PARTICLE_FROZEN) != 0;
+}
 
 /* Position, velocity and spin of a sphere of a new body, whose centre has been wrapped. */
 void dem_clump_put(const struct dem_clump *, const struct dem_domain *, struct dem_particle *);

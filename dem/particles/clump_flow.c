@@ -76,9 +76,9 @@ void dem_clump_flow_sum(const struct dem_clump_flow *f, const struct dem_clumps 
     {
         const size_t i = c->member[k];
         const struct dem_clump_flow_row *const r = &f->row[i];
-        double arm[3], moment[3], of_slip[3], all[3];
+        const double *const arm = c->arm[k];
+        double moment[3], all[3];
 
-        dem_clump_rotate(b->q, dem_clump_at(p, i)->offset, arm);
         for (int a = 0; a < 3; a++)
         {
             s->force[a] += r->force[a];
@@ -86,19 +86,17 @@ void dem_clump_flow_sum(const struct dem_clump_flow *f, const struct dem_clumps 
             all[a] = r->force[a] + r->slip_force[a];
         }
         dem_vec_cross(arm, all, moment);
-        dem_vec_cross(arm, r->slip_force, of_slip);
         for (int a = 0; a < 3; a++)
         {
             s->torque[a] += moment[a] + r->spin_torque[a];
-            s->slip_torque[a] += of_slip[a] + r->spin_torque[a];
-            s->spin_torque[a] += r->spin_torque[a];
         }
         s->drag += r->drag;
         s->spin_drag += r->drag*dem_vec_dot(arm, arm) + r->spin_drag;
     }
-    s->z = s->drag*h/b->mass;
+    s->moves = !dem_clumps_frozen(c, body, p);
+    s->z = s->moves ? s->drag*h/b->mass : 0.0;
     s->phi = dem_phi(s->z);
-    s->phi_spin = dem_phi(s->spin_drag*h/least);
+    s->phi_spin = s->moves ? dem_phi(s->spin_drag*h/least) : 1.0;
 }
 
 void dem_clump_flow_drag(const struct dem_clump_flow_row *r, const struct dem_clump_flow_sums *s, double h,
@@ -146,7 +144,7 @@ void dem_clump_flow_kick(const struct dem_clump_flow *f, const struct dem_clumps
         struct dem_clump_flow_sums s;
 
         dem_clump_flow_sum(f, c, body, p, h, &s);
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; a < 3 && s.moves; a++)
         {
             b->v[a] += s.phi*h/b->mass*(s.force[a] + s.slip_force[a]);
             b->momentum[a] += h*s.phi_spin*s.torque[a];

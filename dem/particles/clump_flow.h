@@ -58,10 +58,9 @@ struct dem_clump_flow_sums            /* over the spheres of a body */
 {
     double force[3], torque[3];       /* N, N m  F; T and all moments */
     double slip_force[3];             /* N  D */
-    double slip_torque[3];            /* N m  part of torque: moments of all d_k, and the next */
-    double spin_torque[3];            /* N m  sum t_k (o_k - w) */
     double drag, spin_drag;           /* kg/s, kg m2/s  B; of z_r */
     double z, phi, phi_spin;          /* 1 */
+    int moves;                        /* 0: frozen, as of infinite inertia */
 };
 
 /* `areas` 1: a law takes projected areas. To be freed also after a failure. */

@@ -44,7 +44,7 @@ static void across(const double n[3], double a[3], double b[3])
 static double covered(size_t n, const double (*disc)[3], double y)
 {
     struct dem_chords chords;
-    double sum = 0.0;
+    double sum = 0.0, end = -INFINITY;
 
     chords.n = 0;
     for (size_t i = 0; i < n; i++)
@@ -53,10 +53,10 @@ static double covered(size_t n, const double (*disc)[3], double y)
 
         dem_chords_add(&chords, disc[i][0], disc[i][2]*disc[i][2] - from*from);
     }
-    dem_chords_unite(&chords);
     for (int k = 0; k < chords.n; k++)
     {
-        sum += chords.at[k][1] - chords.at[k][0];
+        sum += fmax(0.0, chords.at[k][1] - fmax(chords.at[k][0], end));
+        end = fmax(end, chords.at[k][1]);
     }
     return sum;
 }

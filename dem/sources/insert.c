@@ -111,8 +111,8 @@ static int read_group(const struct dem_dict *dict, const struct dem_interaction_
                 "%s: frozen particles stay, driven ones keep their velocity; give one of the two",
                 b->where);
     DEM_TRY(dem_clump_source_read(&b->clump, dict, i->shapes, i->domain, b->where));
-    DEM_REQUIRE(!b->clump.shape || (!b->frozen && !b->driven), DEM_ERROR_INPUT,
-                "%s: clumps are neither frozen nor driven; leave it out, or make a wall of triangles",
+    DEM_REQUIRE(!b->clump.shape || !b->driven, DEM_ERROR_INPUT,
+                "%s: clumps are not driven; leave it out, or make a wall of triangles",
                 b->where);
     DEM_TRY(dem_scalar_entries_read(dict, r, 0, b->scalar));
     DEM_TRY(dem_scalar_entries_parcel_ratio(r, b->scalar, b->where, &b->ratio));

@@ -123,6 +123,11 @@ struct dem_particle dem_clump_source_sphere(const struct dem_clump_source *s, do
     q.inverse_mass = 1.0/body->mass;
     q.inverse_inertia = 3.0/(body->inertia[0] + body->inertia[1] + body->inertia[2]);
     q.body = p->id + 1;
+    if (p->flags & DEM_PARTICLE_FROZEN)
+    {
+        q.flags = p->flags;
+        q.inverse_mass = q.inverse_inertia = 0.0;
+    }
     dem_clump_put(body, s->domain, &q);
     return q;
 }

@@ -63,12 +63,25 @@ static void find_motion(const struct dem_clumps *c, size_t body, const struct de
 {
     const double *const before = c->flow->before + 6*body;
     struct dem_clump mean = *dem_clump_at(p, c->member[c->start[body]]);
+    double slip[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};    /* N m  moments of d_k, t_k (o_k - w) */
 
     dem_clump_flow_sum(c->flow, c, body, p, h, &m->sums);
+    for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
+    {
+        const struct dem_clump_flow_row *const r = &c->flow->row[c->member[k]];
+        double moment[3];
+
+        dem_vec_cross(c->arm[k], r->slip_force, moment);
+        for (int a = 0; a < 3; a++)
+        {
+            slip[a] += moment[a];
+            spin[a] += r->spin_torque[a];
+        }
+    }
     for (int a = 0; a < 3; a++)
     {
-        m->turned[a] = mean.momentum[a] - before[3 + a] - h*(m->sums.torque[a] - m->sums.slip_torque[a]);
-        m->spun[a] = h*m->sums.phi_spin*m->sums.spin_torque[a];
+        m->turned[a] = mean.momentum[a] - before[3 + a] - h*(m->sums.torque[a] - slip[a] - spin[a]);
+        m->spun[a] = h*m->sums.phi_spin*spin[a];
         m->v[a] = 0.5*(mean.v[a] + before[a]);
         mean.momentum[a] = 0.5*(mean.momentum[a] + before[3 + a]);
     }
@@ -120,6 +133,10 @@ void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effec
     {
         struct motion m;
 
+        if (dem_clumps_frozen(c, body, p))
+        {
+            continue;
+        }
         find_motion(c, body, p, h, &m);
         for (int e = 0; e < bodies->entries; e++)
         {

@@ -306,6 +306,54 @@ static void conservation(void)
            "energy balance: residual %.2g of the energy at the start, %.2g at half the step", left[0], left[1]);
 }
 
+/* ---- frozen bodies ----------------------------------------------------------------------------- */
+
+/* Spheres thrown on frozen bodies move as on frozen spheres at the same places, also in a fluid. */
+static void frozen(const char *effects, const char *fluid)
+{
+    const char *const scene =
+        "%s %s effects { hertz { } dry { restitution 0.7; } mindlin { friction 0.3; } gravity { acceleration (0 0 -9.81); }"
+        " %s } %s insert { a { type list; material glass; frozen yes; %s }"
+        " b { type list; material glass; diameter 1e-3; ids (10 11); positions ((0.0004 0.0003 0.0019) (0.0017 0.0001 0.0016));"
+        " velocity (0.05 0.1 -0.3); } } time { step 1e-6; }";
+    struct dem *const d[2] = {
+        world(world_text(scene, materials, bent_shape, effects, fluid, "shape bent; orientation (1 0 0 0); positions ((0 0 0));"),
+              0, NULL), NULL};
+    const struct dem_particles *const p = &d[0]->state.particles;
+    char places[400] = "";
+    double worst = 0.0, moved = 0.0, forces = 0.0;
+
+    for (int64_t k = 0; k < 3; k++)
+    {
+        const struct world_particle at = world_at(d[0], k);
+
+        snprintf(places + strlen(places), 100, "(%.17g %.17g %.17g) ", at.x[0], at.x[1], at.x[2]);
+    }
+    struct dem *const s = world(world_text(scene, materials, "", effects, fluid,
+                                           world_text("diameters (2e-3 1.6e-3 1.2e-3); positions (%s);", places)), 0, NULL);
+
+    for (int k = 0; k < 10; k++)
+    {
+        world_run(d[0], 2e-3);
+        world_run(s, 2e-3);
+        for (int64_t i = 0; i < 12; i += i == 2 ? 8 : 1)
+        {
+            const struct world_particle a = world_at(d[0], i), b = world_at(s, i);
+
+            for (int c = 0; c < 3; c++)
+            {
+                worst = fmax(worst, fabs(a.x[c] - b.x[c]));
+                moved = i < 3 ? fmax(moved, fabs(a.v[c]) + fabs(a.w[c])) : moved;
+                forces = i > 2 ? fmax(forces, fabs(a.v[c] - (c == 2 ? -0.3 - 9.81*2e-3*(k + 1) : c ? 0.1 : 0.05))) : forces;
+            }
+        }
+    }
+    TAP_OK(worst < 1e-12 && moved == 0.0, "spheres on a frozen body move as on frozen spheres, to %.2g m", worst);
+    TAP_OK(forces > 0.1 && dem_clump_at(p, 0)->v[2] == 0.0, "and rebound from it");
+    dem_free(d[0]);
+    dem_free(s);
+}
+
 /* ---- a heap ---------------------------------------------------------------------------------- */
 
 static void heap(void)
@@ -516,7 +564,7 @@ static void refused(const char *more, const char *group, const char *words)
 static void refusals(void)
 {
     refused("", "diameter 1e-3;", "for spheres");
-    refused("", "frozen yes;", "neither frozen nor driven");
+    refused("", "driven yes;", "not driven");
     refused("", "orientation (1 1 0 0);", "unit quaternion");
     refused("", "shape t;", "shape");
     refused("shapes { t { spheres ((0 0 0 0)); } }", "", "radius above 0");
@@ -545,6 +593,8 @@ int main(void)
     dumbbell(1e13, 2e-5);
     single();
     conservation();
+    frozen("", "");
+    frozen("stokesDrag { }", "fluid { density 1; viscosity 1e-3; velocity (0.1 0 0.2); }");
     heap();
     rain();
     refusals();
