@@ -183,6 +183,7 @@ int dem_api_finish_physics(struct dem *d)
     }
     status = status ? status : choose_step(d);
     status = status ? status : check_periodic_widths(d, radius);
+    dem_stages_limit_motions(d);
     dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
     status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
     status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);

@@ -21,6 +21,18 @@ static int acts_on_bodies(const struct dem_effect *e)
                                       : !e->has_added_mass && !e->eddies && !lift;
 }
 
+/* Only the temperature has a value of the whole body (step/clump_heat.h). */
+static int refuse_scalars(const struct dem_effect *e)
+{
+    for (int k = 0; e->scalars && e->scalars[k]; k++)
+    {
+        DEM_REQUIRE(!(e->scalars[k]->flags & DEM_SCALAR_RATE) || e->scalars[k]->flags & DEM_SCALAR_HEAT,
+                    DEM_ERROR_INPUT, "shapes: effects/%s changes %s, which clumps do not have yet; leave out one "
+                    "of the two", e->name, e->scalars[k]->name);
+    }
+    return DEM_OK;
+}
+
 static int refuse_effects(const struct dem_interaction_table *r)
 {
     for (int k = 0; k < r->chosen; k++)
@@ -30,15 +42,17 @@ static int refuse_effects(const struct dem_interaction_table *r)
         DEM_REQUIRE((e->stage != DEM_STAGE_BODY && e->stage != DEM_STAGE_FLUID) || acts_on_bodies(e),
                     DEM_ERROR_INPUT,
                     "shapes: effects/%s acts on single spheres; on clumps act gravity, laws of drag and "
-                    "heat transfer, pressureGradient, viscousStress and viscousTorque; leave out one of the two", e->name);
+                    "heat transfer, pressureGradient, viscousStress and viscousTorque; leave out one of the two",
+                    e->name);
         /* a spring against rolling is not bounded by the inertia of one sphere */
         DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || (e->mechanism == DEM_MECHANISM_ROLLING && e->history),
                     DEM_ERROR_INPUT,
                     "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
                     "form resists rolling; leave it out, or take rollingSpring", e->name);
         DEM_REQUIRE(e->stage != DEM_STAGE_SCALAR || !e->reach, DEM_ERROR_INPUT,
-                    "shapes: effects/%s exchanges heat over gaps between whole spheres, which those of a clump "
-                    "are not; leave out one of the two", e->name);
+                    "shapes: effects/%s exchanges heat over gaps between whole spheres, but the spheres of a clump "
+                    "overlap; leave out one of the two", e->name);
+        DEM_TRY(refuse_scalars(e));
     }
     return DEM_OK;
 }

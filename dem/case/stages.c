@@ -195,6 +195,49 @@ void dem_stages_begin(struct dem *d, int k, double time, const char *why)
     }
 }
 
+/* ---- how long a motion lasts at most --------------------------------------------------------- */
+
+/* Stages [from, to) [s]: at most, or at least. */
+static double length_of(const struct dem_run_stages *s, int from, int to, int most)
+{
+    double length = 0.0;
+
+    for (int k = from; k < to; k++)
+    {
+        length += s->stage[k].until == DEM_UNTIL_TIME ? s->stage[k].duration : most ? s->stage[k].at_most : 0.0;
+    }
+    return length;
+}
+
+static void limit_motion(const struct dem_run_stages *s, double first, struct dem_motion *m)
+{
+    const int from = m->stage[0] - 1, to = m->stage[1] - 1;
+    const double longest = from >= 0 && to >= 0 ? length_of(s, from, to, 1)
+                           : from >= 0          ? m->end - first - length_of(s, 0, from, 0)
+                                                : first + length_of(s, 0, to, 1) - m->start;
+
+    m->longest = fmax(longest, 0.0);
+}
+
+void dem_stages_limit_motions(struct dem *d)
+{
+    const struct dem_run_stages *const s = &d->scene.stages;
+    const struct dem_walls *const w = &d->state.walls;
+    /* not when later stages have begun: a restart comes to the same result */
+    const double first = s->n > 0 && isfinite(s->stage[0].begin) ? s->stage[0].begin : d->state.time;
+
+    for (int n = 0; n < w->frames && s->n > 0; n++)
+    {
+        struct dem_compound_motion *const c = w->frame[n].compound;
+
+        limit_motion(s, first, &w->frame[n].motion);
+        for (int k = 0; c && k < c->parts; k++)
+        {
+            limit_motion(s, first, &c->part[k].motion);
+        }
+    }
+}
+
 /* ---- restart --------------------------------------------------------------------------------- */
 
 static const char stage_mark[] = "@stage ", test_mark[] = "@test ";

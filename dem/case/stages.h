@@ -11,8 +11,8 @@
  *
  * Wherever a time stands in the scene, the name of a stage means its beginning: `start`, `end` of motions
  * and streams, `at` of groups, `from`, `until` of walls. Before that these times are infinite.
- * What can never end is refused (stages_check.c). run/stage_tests.c tests whether a stage has ended; here the entry is read, times that a stage sets
- * are handed on, and what a snapshot knows of them is written and read.
+ * What can never end is refused (stages_check.c). run/stage_tests.c tests whether a stage has ended; here the entry
+ * is read, times that a stage sets are handed on, and what a snapshot knows of them is written and read.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -65,6 +65,10 @@ int dem_stages_check(const struct dem *);
 
 /* Stage k begins at `time` [s]: all times that name it become known. */
 void dem_stages_begin(struct dem *, int k, double time, const char *why);
+
+/* Find how long motions that a stage begins or ends last at most, dem_motion.longest: infinite where a stage between has
+   until without atMost. A coupled stage may last one exchange longer. */
+void dem_stages_limit_motions(struct dem *);
 
 /* At the start: the first stage begins, or the stages go on from the snapshot of a restart. Then the walls
    that are there now. */

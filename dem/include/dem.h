@@ -244,7 +244,8 @@ int dem_wall_move(struct dem *, const char *name, int64_t n, const double *trian
    dem_remove_particles: contacts and bonds with the particles end.
    dem_set_particles: n numbers or vectors for n different ids; NULL leaves a quantity as it is. A
    particle that is moved keeps the history of contacts that it still has. One that is frozen
-   comes to rest, or has the velocity and spin that are given with it. */
+   comes to rest, or has the velocity and spin that are given with it. Spheres of a clump are refused, but
+   get particle scalars; the temperature, all spheres of a clump the same. */
 struct dem_particle_changes
 {
     const double *position, *velocity, *spin;  /* m, m/s, 1/s  3 each */

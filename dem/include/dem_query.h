@@ -187,7 +187,8 @@ void dem_scalar_info(const struct dem *, int k, struct dem_scalar_info *);
 int dem_scalar_index(const struct dem *, const char *name);
 
 /* The values of scalar k of the owned particles, in the order of dem_view, to be read or, between
-   two advances, written. Valid until the next collective call. NULL for another number. */
+   two advances, written. Valid until the next collective call. NULL for another number. All spheres of a
+   clump have one temperature: the one of its smallest id counts. */
 double *dem_scalar(struct dem *, int k);
 
 /* Collective. The sum of C s over all particles, of scalar k with the capacity C: of the

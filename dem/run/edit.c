@@ -67,8 +67,15 @@ int dem_edit_list(struct dem_edit *e, const int64_t *id)
     return DEM_OK;
 }
 
+/* Does the call set particle scalars only? Spheres of a clump may have that (dem_set_particles). */
+static int sets_scalars(const struct dem_edit *e)
+{
+    return e->to && !e->to->position && !e->to->velocity && !e->to->spin && !e->to->frozen;
+}
+
 int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status)
 {
+    const int clumps = sets_scalars(e);
     uint8_t *present = NULL;
     int64_t missing = -1, clumped = -1;
 
@@ -80,7 +87,7 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
         if (l)
         {
             present[l - e->item] = 1;
-            clumped = d->state.particles.record[i].body ? l->id : clumped;
+            clumped = d->state.particles.record[i].body && !clumps ? l->id : clumped;
         }
     }
     dem_collect_max_uint8(&d->state.decomposition, present, (size_t)e->n);

@@ -199,6 +199,24 @@ static int check_scalar(const struct dem *d, const struct dem_edit *e, int64_t i
     return DEM_OK;
 }
 
+/* A clump has one temperature: all its spheres are in the list, with the value of the first one, or none. */
+static int check_clump(const struct dem *d, const struct dem_edit *e, const struct dem_particle *q)
+{
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    const int k = e->to->scalar;
+
+    if (!q->body || !e->to->value || k < 0 || k >= r->scalars || !(r->scalar[k]->flags & DEM_SCALAR_HEAT))
+    {
+        return DEM_OK;
+    }
+    const struct dem_edit_item *const own = dem_edit_find(e, q->id), *const first = dem_edit_find(e, q->body - 1);
+
+    DEM_REQUIRE(!own == !first && (!own || e->to->value[own->at] == e->to->value[first->at]), DEM_ERROR_INPUT,
+                "%s: particle %lld is a sphere of a clump, which has one %s; give the same to all its spheres, "
+                "from particle %lld on", e->call, (long long)q->id, r->scalar[k]->name, (long long)q->body - 1);
+    return DEM_OK;
+}
+
 /* The particle with its changes. */
 static int set_one(const struct dem *d, const struct dem_edit *e, int64_t at, struct dem_particle *q)
 {
@@ -246,6 +264,7 @@ static int go_through(struct dem *d, const struct dem_edit *e, int write)
         struct dem_particle q = p->record[i];
 
         DEM_TRY(l ? set_one(d, e, l->at, &q) : DEM_OK);
+        DEM_TRY(check_clump(d, e, &q));
         if (l && write)
         {
             p->record[i] = q;

@@ -201,8 +201,8 @@ double dem_fluid_relaxation(const struct dem *d)
     {
         const struct dem_particle *const r = &p->particles.record[i];
         /* B and mass of a sphere of a body are the same share of the body's */
-        const double rate =
-            dem_exchange_rate(time[i], p->window.length, r->body ? 1.0/r->mass : r->inverse_mass);
+        const double per_mass = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->body ? 1.0/r->mass : r->inverse_mass,
+                     rate = dem_exchange_rate(time[i], p->window.length, per_mass);
 
         max = rate > max ? rate : max;
     }

@@ -41,7 +41,7 @@ static void sine_cosine(double angle, double *sine, double *cosine)
 
 double dem_motion_duration(const struct dem_motion *m)
 {
-    return m->stage[0] || m->stage[1] ? INFINITY : m->end - m->start;
+    return m->stage[0] || m->stage[1] ? m->longest : m->end - m->start;
 }
 
 double dem_motion_time(const struct dem_motion *m, double time)

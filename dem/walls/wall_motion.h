@@ -47,6 +47,7 @@ struct dem_motion
     int16_t stage[2];                       /* of the scene whose beginning start and end are, from 1;
                                                0: none */
     double start, end;                      /* s; infinite before that stage begins */
+    double longest;                         /* s  from start to end at most, where a stage decides */
     double velocity[3];                     /* m/s  translation */
     double amplitude[3], frequency, phase;  /* m, 1/s, rad: oscillation */
     double origin[3], axis[3], omega;       /* m, unit, rad/s: rotation */
@@ -56,7 +57,7 @@ struct dem_motion
 static const struct dem_pose dem_pose_identity = {
     .rotation = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 
-/* From start to end [s]; infinite where a stage decides. */
+/* From start to end [s]; at most, where a stage decides. */
 double dem_motion_duration(const struct dem_motion *);
 /* Rotation by an angle [rad] about a unit axis through the origin. */
 void dem_pose_rotate(const double origin[3], const double axis[3], double angle, struct dem_pose *);

@@ -85,6 +85,12 @@ class Arrays:
         return self._column("id")
 
     @property
+    def clump(self) -> NDArray[numpy.int64]:
+        """1 + the smallest id of the clump that a sphere belongs to; 0: none"""
+        with self._view() as view:
+            return numpy.zeros(view.n, numpy.int64) if view.clump == ffi.NULL else of_view(view, "clump")
+
+    @property
     def frozen(self) -> NDArray[numpy.bool_]:
         return (self._column("flags") & 1).astype(bool)
 
@@ -144,6 +150,8 @@ class Arrays:
         """Set a particle scalar between two advances: one value for all, or one for each."""
         with self._view() as view, self._set_up() as d:
             k, given = self._scalar_values(d, name, values, view.n)
+            if name == "temperature" and view.n and view.clump != ffi.NULL:
+                _check_clumps(of_view(view, "clump"), given)
             if view.n:
                 numpy.frombuffer(ffi.buffer(lib.dem_scalar(d, k), 8*view.n))[:] = given
 
@@ -158,3 +166,15 @@ class Arrays:
     def __len__(self) -> int:
         with self._view() as view:
             return view.n
+
+
+def _check_clumps(clump, temperature):
+    """Refuse temperatures that differ within a clump."""
+    found, at = numpy.unique(clump, return_inverse=True)
+    low, high = numpy.full(len(found), numpy.inf), numpy.full(len(found), -numpy.inf)
+    numpy.minimum.at(low, at, temperature)
+    numpy.maximum.at(high, at, temperature)
+    wrong = found[(low < high) & (found > 0)]
+    if len(wrong):
+        raise SunaError(f"the spheres of the clump of particle {wrong[0] - 1} get different temperatures; "
+                        "give all of them the same")

@@ -21,7 +21,7 @@ class Output(Arrays):
 
     def to_vtk(self, path: File) -> None:
         """Write the particles of this rank for ParaView (.vtp), with the names of the program's files:
-        id, material, diameter, velocity, spin, force, and the particle scalars."""
+        id, material, diameter, velocity, spin, force, clump, and the particle scalars."""
         write_vtp(os.fsdecode(file_name("path", path)), self._arrays())
 
     def to_dataframe(self) -> Any:
@@ -35,7 +35,7 @@ class Output(Arrays):
                 label = axis if name == "position" else f"{name}_{axis}"
                 columns[label], units[label] = values[:, k], unit
         columns.update(diameter=2*self.radius, mass=self.mass, material=self.material, frozen=self.frozen,
-                       **{name: self.scalar(name) for name in self.scalars})
+                       **self._clumps_and_scalars())
         units.update(diameter="m", mass="kg")
         table = pandas.DataFrame(columns, index=pandas.Index(self.id, name="id")).sort_index()
         table.attrs["units"] = units
@@ -54,8 +54,11 @@ class Output(Arrays):
         """Arrays for ParaView, with the names of the program's files."""
         return {"points": self.position, "id": self.id,
                 "material": self._column("material").astype(numpy.int64), "diameter": 2*self.radius,
-                "velocity": self.velocity, "spin": self.spin, "force": self.force,
-                **{name: self.scalar(name) for name in self.scalars}}
+                "velocity": self.velocity, "spin": self.spin, "force": self.force, **self._clumps_and_scalars()}
+
+    def _clumps_and_scalars(self):
+        clump = self.clump
+        return {**({"clump": clump} if clump.any() else {}), **{name: self.scalar(name) for name in self.scalars}}
 
     def plot(self, axes: Any = None, colour: ArrayLike | None = None, plane: str = "xz") -> Any:
         """Draw the particles as circles with matplotlib; `colour`: a number for each, else the

@@ -20,8 +20,8 @@ from ._library import ffi
 
 # kind and width of the quantities of struct dem_view
 WIDTH = {"position": 3, "velocity": 3, "spin": 3, "radius": 1, "mass": 1, "id": 1, "material": 1,
-         "flags": 1, "force": 3, "torque": 3, "orientation": 4}
-STRIDED = ("position", "velocity", "spin", "radius", "mass", "id", "material", "flags")
+         "flags": 1, "clump": 1, "force": 3, "torque": 3, "orientation": 4}
+STRIDED = ("position", "velocity", "spin", "radius", "mass", "id", "material", "flags", "clump")
 
 
 def _kind(pointer):
@@ -74,7 +74,7 @@ class View:
         return self._view
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in WIDTH or name in ("material", "flags"):
+        if name.startswith("_") or name not in WIDTH or name in ("material", "flags", "clump"):
             raise AttributeError(f"a view has no {name}")
         view = self._open()
         pointer, n, width = getattr(view, name), view.n, WIDTH[name]
@@ -112,7 +112,7 @@ class Forces:
         return self._view.n
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in WIDTH or name in ("material", "flags", "orientation"):
+        if name.startswith("_") or name not in WIDTH or name in ("material", "flags", "clump", "orientation"):
             raise AttributeError(f"a force has no {name} of the particles")
         value = of_view(self._view, name)
         self.__dict__[name] = value

@@ -6,19 +6,87 @@
 
 #include "slidingFlux.H"
 #include "cyclicAMIFvPatch.H"
+#include "mapDistribute.H"
+#include "PstreamBuffers.H"
 
 namespace Foam
 {
 
-// Sum over the faces of the owning side of the parts that pass to each face of the other
-// side. Collective.
-static tmp<scalarField> passed(const cyclicAMIPolyPatch& owner, const scalarField& flux)
+// Areas w_ij times other[j], summed for each face i of the owning side. Collective.
+static tmp<scalarField> toOwner(const cyclicAMIPolyPatch& owner, const scalarField& other)
 {
     const AMIPatchToPatchInterpolation& ami = owner.AMI();
-    const scalarField from(ami.srcWeightsSum()*scalarField(ami.srcMagSf()));
-    const scalarField to(ami.tgtWeightsSum()*scalarField(ami.tgtMagSf()));
+    const bool distributed = ami.singlePatchProc() == -1;
+    const scalarField area(ami.tgtWeightsSum()*scalarField(ami.tgtMagSf()));
+    tmp<scalarField> tsum(new scalarField(owner.size(), Zero));
+    scalarField& sum = tsum.ref();
+    scalarField remote(distributed ? ami.srcMap().constructSize() : 0, Zero);
+    scalarField& faces = distributed ? remote : sum;
 
-    return to*owner.neighbPatch().interpolate((flux/max(from, VSMALL))());
+    forAll(other, j)
+    {
+        const labelList& overlapping = ami.tgtAddress()[j];
+        forAll(overlapping, k)
+        {
+            faces[overlapping[k]] += ami.tgtWeights()[j][k]*area[j]*other[j];
+        }
+    }
+    if (distributed)
+    {
+        const mapDistribute& map = ami.srcMap();
+        PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+
+        forAll(map.constructMap(), proc)
+        {
+            UOPstream to(proc, buffers);
+            to << scalarField(faces, map.constructMap()[proc]);
+        }
+        buffers.finishedSends();
+        forAll(map.subMap(), proc)
+        {
+            UIPstream from(proc, buffers);
+            const scalarField part(from);
+            forAll(part, k)
+            {
+                sum[map.subMap()[proc][k]] += part[k];
+            }
+        }
+    }
+    return tsum;
+}
+
+
+// Areas w_ij times own[i], summed for each face j of the other side. Collective.
+static tmp<scalarField> toOther(const cyclicAMIPolyPatch& owner, const scalarField& own)
+{
+    const AMIPatchToPatchInterpolation& ami = owner.AMI();
+    const scalarField area(ami.tgtWeightsSum()*scalarField(ami.tgtMagSf()));
+    tmp<scalarField> tsum(new scalarField(area.size(), Zero));
+    scalarField faces(own);
+
+    if (ami.singlePatchProc() == -1)
+    {
+        ami.srcMap().distribute(faces);
+    }
+    forAll(area, j)
+    {
+        const labelList& overlapping = ami.tgtAddress()[j];
+        forAll(overlapping, k)
+        {
+            tsum.ref()[j] += ami.tgtWeights()[j][k]*area[j]*faces[overlapping[k]];
+        }
+    }
+    return tsum;
+}
+
+
+// Sum of w_ij over the other side's faces, for each face of the owning side; at least
+// VSMALL. Collective.
+static tmp<scalarField> covered(const cyclicAMIPolyPatch& owner)
+{
+    const label n = owner.neighbPatch().size();
+
+    return max(toOwner(owner, scalarField(n, scalar(1))), VSMALL);
 }
 
 
@@ -38,7 +106,7 @@ static void forInterfaces(const fvMesh& mesh, const Action& action)
 }
 
 
-// Flux of alpha by upwind interpolation on a side
+// Flux of alpha by upwind interpolation on a side by itself
 static tmp<scalarField> upwind(const scalarField& flux, const fvPatchScalarField& alpha)
 {
     return
@@ -53,7 +121,12 @@ void Foam::slidingFlux::conserve(surfaceScalarField& flux)
 {
     forInterfaces(flux.mesh(), [&](const cyclicAMIPolyPatch& owner, label own, label other)
     {
-        flux.boundaryFieldRef()[other] == -passed(owner, flux.boundaryField()[own]);
+        const scalarField area(covered(owner));
+        fvsPatchScalarField& out = flux.boundaryFieldRef()[own];
+
+        // A face without overlap is a wall
+        out == out*pos(area - VSMALL);
+        flux.boundaryFieldRef()[other] == -toOther(owner, (out/area)());
     });
 }
 
@@ -67,14 +140,16 @@ void Foam::slidingFlux::setUpwind
 {
     forInterfaces(flux.mesh(), [&](const cyclicAMIPolyPatch& owner, label own, label other)
     {
-        const scalarField& out = flux.boundaryField()[own];
+        const scalarField perArea(flux.boundaryField()[own]/covered(owner));
+        const scalarField out(max(perArea, scalar(0)));
+        const scalarField in(min(perArea, scalar(0)));
         const scalarField inside(alpha.boundaryField()[own].patchInternalField());
         const scalarField outside(alpha.boundaryField()[other].patchInternalField());
 
-        alphaFlux.boundaryFieldRef()[own] == upwind(out, alpha.boundaryField()[own]);
+        alphaFlux.boundaryFieldRef()[own] ==
+            max(flux.boundaryField()[own], scalar(0))*inside + in*toOwner(owner, outside);
         alphaFlux.boundaryFieldRef()[other] ==
-           -passed(owner, (max(out, scalar(0))*inside)())
-          - passed(owner, (min(out, scalar(0)))())*outside;
+          - toOther(owner, (out*inside)()) - toOther(owner, in)*outside;
     });
 }
 

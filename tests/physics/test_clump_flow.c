@@ -311,6 +311,21 @@ static void energy(void)
     TAP_OK(bed[0] < 1e-4 && bed[1] < 0.7*bed[0], "falling on a floor: to %.2g, %.2g at half the step", bed[0], bed[1]);
 }
 
+/* 1/s  of one body in a stream, after a window */
+static double relaxation(const char *more)
+{
+    struct dem *const d = world(
+        world_text("%s %s effects { hertz {} gidaspow {} } fluid { density 1; viscosity 1e-5; velocity (1 0 0); }"
+                   "insert { one { type list; material glass; shape s; positions ((0 0 0)); %s } }",
+                   materials, pair, more), 0, NULL);
+
+    world_run(d, 1e-3);
+    const double rate = dem_fluid_relaxation(d);
+
+    dem_free(d);
+    return rate;
+}
+
 static void refused(void)
 {
     static const char *const laws[] = {"virtualMass {}", "magnus {}", "saffmanMei {}", "turbulentDispersion {}",
@@ -336,6 +351,7 @@ int main(void)
     spin();
     budget();
     energy();
+    TAP_OK(relaxation("") > 0.0 && relaxation("frozen yes;") == 0.0, "a free body follows the fluid, a frozen one does not");
     refused();
     TAP_DONE;
 }

@@ -576,6 +576,7 @@ static void refusals(void)
     refused("effects { rollingConstant { friction 0.1; } }", "", "rollingConstant resists the rotation");
     refused("effects { rollingViscous { time 1e-3; } }", "", "rollingViscous");
     refused("effects { twistingSpring { friction 0.1; } }", "", "twistingSpring");
+    refused("effects { liquidBridge { surfaceTension 0.07; } }", "liquidVolume 1e-12;", "liquidBridge changes liquidVolume");
     refused("", "spin (0 0 1e6);", "the limit is 0.3 rad");
 }
 

@@ -196,6 +196,42 @@ def refusals():
     refused(lambda: sim.remove([1]), "rest of it")
 
 
+def clumps():
+    """spheres of clumps: which belong together, bonds between them, temperatures of whole clumps, new ones by change"""
+    sim = suna.Simulation(PHYSICS.replace("density", "heatCapacity 500; conductivity 1; density").replace("mindlin", """
+        conduction {} bondLinear { normalStiffness 1e8; shearStiffness 5e7; make listed; } mindlin""") + """
+        shapes { rod { spheres ((-2e-3 0 0 1e-3) (0 0 0 1e-3) (2e-3 0 0 1e-3)); } }
+        bonds { pairs (2 3  5 6); }
+        insert { rods { type list; material glass; shape rod; orientation (1 0 0 0); temperature 320;
+                        positions ((0 0 0.1) (0.006 0 0.1)); }
+                 ball { type list; material glass; diameter 2e-3; positions ((0.01 0 0.1)); temperature 300; } }
+        """, energy=True)
+    assert list(of(sim, range(7), "clump")) == [1, 1, 1, 4, 4, 4, 0]
+    assert sorted(map(tuple, sim.bonds["id"])) == [(2, 3), (5, 6)]
+    sim.advance(0.001)
+    before, heat, C = sim.hash, sim.total("temperature"), 500*sim.mass[sim.clump == 1].sum()
+    refused(lambda: sim.set([0], temperature=400), "clump", "one temperature", "particle 0")
+    refused(lambda: sim.set([3, 4, 5], temperature=[400, 400, 401]), "clump", "one temperature", "particle 3")
+    refused(lambda: sim.set_scalar("temperature", numpy.arange(300, 307)), "clump", "different temperatures")
+    refused(lambda: sim.set([0, 1, 2], velocity=0), "moves as one body")
+    refused(lambda: sim.remove([0, 1, 2]), "moves as one body")
+    assert sim.hash == before
+    sim.set([2, 0, 6, 1], temperature=[350, 350, 310, 350])
+    order = numpy.argsort(sim.id)
+    assert list(sim.scalar("temperature")[order]) == [350]*3 + [320]*3 + [310]
+    gain = sim.total("temperature") - heat
+    assert abs(gain - 30*C - 10*500*sim.mass[sim.clump == 0].sum()) < 1e-12*heat
+    assert abs(sim.energy["edited"] - gain) < 1e-9*gain
+    sim.set_scalar("temperature", 320)
+    sim.change({"insert/more": {"type": "list", "material": "glass", "shape": "rod", "temperature": 280,
+                                "positions": "((0 0 0.05))"}})
+    sim.advance(0.001)
+    table = sim.to_dataframe()
+    assert list(table.clump) == [1, 1, 1, 4, 4, 4, 0, 8, 8, 8] and list(table.temperature[7:]) == [280]*3
+    sim.to_vtk("clumps.vtp")
+    assert (suna.read_vtp("clumps.vtp")["clump"] == sim.clump).all() and sim.totals["clumps"] == 3
+
+
 def diameters():
     """allow_diameters makes time step and lists for other particles, also in a running simulation"""
     sim = suna.Simulation(SCENE)
@@ -441,6 +477,6 @@ def tables():
 
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
-    run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, diameters,
+    run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, clumps, diameters,
               walls, loads, entries, forces, force_faults, until, views, tables)
     finish()
