@@ -77,7 +77,7 @@ static const struct dem_effect *effect_of_column(const struct dem_interaction_ta
     return NULL;
 }
 
-/* Collective: pairs that have no row, though both particles exist. */
+/* Collective: both particles of a pair are frozen or driven. */
 static int neither_is_free(const struct dem_state *p, const struct listed_pair *pair)
 {
     int64_t fixed = 0;
@@ -92,6 +92,7 @@ static int neither_is_free(const struct dem_state *p, const struct listed_pair *
     return fixed == 2;
 }
 
+/* Collective. */
 static int are_of_one_clump(const struct dem_state *p, const struct listed_pair *pair)
 {
     int64_t body[2] = {0, 0};
