@@ -120,8 +120,8 @@ int dem_clump_heat_integrate(const struct dem_clumps *c, const struct dem_scalar
 void dem_clump_heat_end_window(const struct dem_clumps *c, const struct dem_interaction_table *t,
                                struct dem_particles *p)
 {
-    double *const decay = c->heat ? dem_scalar_exchange_values(p, t, c->heat->scalar, DEM_SCALAR_DECAY) : NULL,
-           *const time = c->heat ? dem_scalar_exchange_values(p, t, c->heat->scalar, DEM_SCALAR_TIME) : NULL;
+    double *const decay = dem_scalar_exchange_values(p, t, c->heat->scalar, DEM_SCALAR_DECAY),
+           *const time = dem_scalar_exchange_values(p, t, c->heat->scalar, DEM_SCALAR_TIME);
 
     for (size_t body = 0; decay && body < c->n; body++)
     {

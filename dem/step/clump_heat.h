@@ -43,8 +43,8 @@ void dem_clump_heat_take(const struct dem_clump_heat *, const struct dem_clump_f
    out of their range. */
 int dem_clump_heat_integrate(const struct dem_clumps *, const struct dem_scalar_step *, struct dem_particles *);
 
-/* At the end of a window: give each sphere a decay factor of which dem_scalars_end_window makes its share of
-   the body's response. */
+/* At the end of a window, with heat: give each sphere a decay factor of which dem_scalars_end_window makes its
+   share of the body's response. */
 void dem_clump_heat_end_window(const struct dem_clumps *, const struct dem_interaction_table *,
                                struct dem_particles *);
 

@@ -79,7 +79,10 @@ static int make_steps(struct dem_state *state)
     {
         dem_clump_flow_end_window(&state->clumps, &state->particles);
         dem_bodies_end_window(&state->particles, &state->domain, state->window.length);
-        dem_clump_heat_end_window(&state->clumps, &state->interaction_table, &state->particles);
+        if (state->clumps.heat)
+        {
+            dem_clump_heat_end_window(&state->clumps, &state->interaction_table, &state->particles);
+        }
         dem_scalars_end_window(&state->particles, &state->interaction_table);
     }
     dem_timers_end_advance(state->timers);
