@@ -82,8 +82,8 @@ void Foam::demRotatingFrame::check(const polyMesh& mesh, const bool demPimpleFoa
     {
         FatalErrorInFunction
             << "Zone " << frames[0].name_ << " of constant/MRFProperties is active, but"
-            << " demPimpleFoam has no rotating frames; let the mesh rotate (cyclicAMI), or"
-            << " set active no" << exit(FatalError);
+            << " demPimpleFoam and demInterFoam have no rotating frames; let the mesh rotate"
+            << " (cyclicAMI), or set active no" << exit(FatalError);
     }
 }
 

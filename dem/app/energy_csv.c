@@ -9,11 +9,12 @@
 #include "app/run_tables.h"
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *prog,
                          const struct dem_output *o, const struct dem *d)
 {
-    *log = (struct dem_energy_log){.output = o, .interval = o->energy, .when = o->start};
+    *log = (struct dem_energy_log){.output = o, .interval = o->energy, .mechanical.when = o->start, .heat.when = o->start};
     dem_table_name(&log->table, o->folder, "energy.csv", o->start);
     if (log->interval <= 0.0)
     {
@@ -69,21 +70,40 @@ static struct fastest find_fastest(const struct dem_program *prog, const struct 
     return f;
 }
 
+/* Heat balances by itself: what contacts dissipate is lost to the particles' motion and supplied to their heat
+   content. The sign of a term in the balance of heat; 0: a term of the mechanical one. */
+static double sign_of_heat(const char *name)
+{
+    return strncmp(name, "heat_", 5) != 0                                          ? 0.0
+           : strcmp(name, "heat_content") == 0 || strcmp(name, "heat_left") == 0 ? 1.0
+                                                                                   : -1.0;
+}
+
+/* The residuals of both balances and their largest terms. The last two items are the total and the residual. */
+static void take_balances(const struct row *r, struct dem_energy_extreme *mechanical,
+                          struct dem_energy_extreme *heat)
+{
+    *mechanical = *heat = (struct dem_energy_extreme){.when = r->now};
+    for (int k = 0; k < r->n - 2; k++)
+    {
+        const double sign = sign_of_heat(r->item[k].name), value = r->item[k].value;
+        struct dem_energy_extreme *const of = sign == 0.0 ? mechanical : heat;
+
+        of->largest = fmax(of->largest, fabs(value));
+        heat->residual += sign*value;
+    }
+    mechanical->residual = r->item[r->n - 1].value - heat->residual;
+}
+
 /* The residual of the balance has grown by more than the limit: an error with the amount, the
    interval, the fastest particle and the probable cause. */
 static int check_created(struct dem_energy_log *log, const struct dem_program *prog, struct dem *d,
-                         const struct row *r)
+                         const struct dem_energy_extreme *now)
 {
-    const double residual = r->item[r->n - 1].value, created = residual - log->before;
-    const double since = log->then;
-    double largest = 0.0;
+    const double created = now->residual - log->before, since = log->then, largest = now->largest;
 
-    for (int k = 0; k < r->n - 2; k++)
-    {
-        largest = fmax(largest, fabs(r->item[k].value));
-    }
-    log->before = residual;
-    log->then = r->now;
+    log->before = now->residual;
+    log->then = now->when;
     if (log->output->max_created <= 0.0 || created <= log->output->max_created*largest)
     {
         return DEM_OK;
@@ -96,7 +116,7 @@ static int check_created(struct dem_energy_log *log, const struct dem_program *p
                      "energy balance; the limit time/maxCreated is %g; the fastest is particle "
                      "%lld at (%g %g %g) m with %g m/s; the step is %.3g s, its limit %.3g s (%s): "
                      "%s",
-                     created, since, r->now, created/largest, log->output->max_created,
+                     created, since, now->when, created/largest, log->output->max_created,
                      (long long)f.id, f.x[0], f.x[1], f.x[2], f.speed, step.used, step.limit,
                      step.why,
                      step.used > step.limit*(1.0 + 1e-9) ? "use at most the limit"
@@ -104,19 +124,13 @@ static int check_created(struct dem_energy_log *log, const struct dem_program *p
                                                              "which effect's loss is negative");
 }
 
-/* The last two terms are the total and the residual. */
-static void update_extremes(struct dem_energy_log *log, const struct row *r)
+static void update_extreme(struct dem_energy_extreme *e, const struct dem_energy_extreme *now)
 {
-    const double residual = r->item[r->n - 1].value;
-
-    for (int k = 0; k < r->n - 2; k++)
+    e->largest = fmax(e->largest, now->largest);
+    if (fabs(now->residual) > fabs(e->residual))
     {
-        log->largest = fmax(log->largest, fabs(r->item[k].value));
-    }
-    if (fabs(residual) > fabs(log->residual))
-    {
-        log->residual = residual;
-        log->when = r->now;
+        e->residual = now->residual;
+        e->when = now->when;
     }
 }
 
@@ -124,6 +138,7 @@ int dem_energy_log_append(struct dem_energy_log *log, const struct dem_program *
                           double now)
 {
     struct row r = {.now = now};
+    struct dem_energy_extreme mechanical, heat;
     int status = DEM_OK;
 
     if (!dem_is_due(log->interval, now))
@@ -131,21 +146,29 @@ int dem_energy_log_append(struct dem_energy_log *log, const struct dem_program *
         return DEM_OK;
     }
     DEM_TRY(dem_energy(d, &r.since, &r.n, &r.item));
-    update_extremes(log, &r);
+    take_balances(&r, &mechanical, &heat);
+    update_extreme(&log->mechanical, &mechanical);
+    update_extreme(&log->heat, &heat);
     if (prog->rank == 0)
     {
         status = dem_table_add_energy(&log->table, d, r.now, r.since, r.n, r.item);
     }
     DEM_TRY(dem_program_agree(prog, status));
-    return check_created(log, prog, d, &r);
+    return check_created(log, prog, d, &mechanical);
 }
 
 void dem_energy_log_print(const struct dem_energy_log *log, const struct dem_program *prog)
 {
+    const struct dem_energy_extreme *const m = &log->mechanical, *const h = &log->heat;
+
     if (log->interval > 0.0 && prog->rank == 0)
     {
         printf("energy: largest residual %.3g J at t %.6g s, %.2g %% of the largest term, %.4g J\n",
-               log->residual, log->when,
-               log->largest > 0.0 ? 100.0*fabs(log->residual)/log->largest : 0.0, log->largest);
+               m->residual, m->when, m->largest > 0.0 ? 100.0*fabs(m->residual)/m->largest : 0.0, m->largest);
+        if (h->largest > 0.0)
+        {
+            printf("heat: content and supply differ by %.3g J at t %.6g s, %.2g %% of the largest term, %.4g J\n",
+                   h->residual, h->when, 100.0*fabs(h->residual)/h->largest, h->largest);
+        }
     }
 }

@@ -14,14 +14,18 @@
 #include "app/main.h"
 #include "app/output_files.h"
 
+struct dem_energy_extreme            /* of the mechanical balance or the balance of heat */
+{
+    double residual, when, largest;  /* J, s, J  largest residual of all rows, its time; largest term */
+};
+
 struct dem_energy_log
 {
     const struct dem_output *output;
     struct dem_table table;
     double interval;                 /* s  0: no rows */
-    double residual, when, largest;  /* J, s, J  largest residual of all rows, its time; largest
-                                        term */
-    double before, then;             /* J, s  residual and time of the last row */
+    struct dem_energy_extreme mechanical, heat;
+    double before, then;             /* J, s  mechanical residual and time of the last row */
 };
 
 /* Collective. Remove the rows of an earlier run in the same folder that are later than the start
@@ -29,12 +33,12 @@ struct dem_energy_log
 int dem_energy_log_begin(struct dem_energy_log *, const struct dem_program *,
                          const struct dem_output *, const struct dem *);
 
-/* Collective. Write a row if one is due. DEM_ERROR_NUMBER when the residual has grown since the
-   last row by more than time/maxCreated, a fraction of the largest term. */
+/* Collective. Write a row if one is due. DEM_ERROR_NUMBER when the mechanical residual has grown since
+   the last row by more than time/maxCreated, a fraction of the largest mechanical term. */
 int dem_energy_log_append(struct dem_energy_log *, const struct dem_program *, struct dem *,
                           double now);
 
-/* Print the largest residual on the first rank. */
+/* Print the largest residuals on the first rank. */
 void dem_energy_log_print(const struct dem_energy_log *, const struct dem_program *);
 
 #endif

@@ -8,7 +8,9 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
+#include "core/vec.h"
 #include "ranks/collect.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,8 +27,11 @@ static int compare(const void *a, const void *b)
     return low ? low : (s->high > t->high) - (s->high < t->high);
 }
 
-static void sort_list(const int64_t *ids, size_t pairs, struct listed_pair *list)
+/* Returns the number of different pairs. */
+static size_t sort_list(const int64_t *ids, size_t pairs, struct listed_pair *list)
 {
+    size_t different = 0;
+
     for (size_t k = 0; k < pairs; k++)
     {
         const int64_t a = ids[2*k], b = ids[2*k + 1];
@@ -34,6 +39,14 @@ static void sort_list(const int64_t *ids, size_t pairs, struct listed_pair *list
         list[k] = (struct listed_pair){.low = a < b ? a : b, .high = a < b ? b : a};
     }
     dem_sort_by(list, pairs, sizeof *list, compare);
+    for (size_t k = 0; k < pairs; k++)
+    {
+        if (k == 0 || compare(&list[k], &list[different - 1]) != 0)
+        {
+            list[different++] = list[k];
+        }
+    }
+    return different;
 }
 
 static void mark(struct dem_state *p, const struct listed_pair *list, size_t pairs, double *column,
@@ -77,35 +90,75 @@ static const struct dem_effect *effect_of_column(const struct dem_interaction_ta
     return NULL;
 }
 
-/* Collective: both particles of a pair are frozen or driven. */
-static int neither_is_free(const struct dem_state *p, const struct listed_pair *pair)
+struct ends    /* of a pair without a row, of the lower and the higher id */
 {
-    int64_t fixed = 0;
-
-    for (size_t i = 0; i < p->particles.n; i++)
-    {
-        const struct dem_particle *const q = &p->particles.record[i];
-
-        fixed += (q->id == pair->low || q->id == pair->high) && q->flags & DEM_PARTICLE_FROZEN;
-    }
-    dem_collect_sum_int64(&p->decomposition, &fixed, 1);
-    return fixed == 2;
-}
+    int64_t there[2], fixed[2], body[2];
+    double radius[2], x[2][3];
+};
 
 /* Collective. */
-static int are_of_one_clump(const struct dem_state *p, const struct listed_pair *pair)
+static void find_ends(const struct dem_state *p, const struct listed_pair *pair, struct ends *e)
 {
-    int64_t body[2] = {0, 0};
-
+    *e = (struct ends){.there = {0, 0}};
     for (size_t i = 0; i < p->particles.n; i++)
     {
         const struct dem_particle *const q = &p->particles.record[i];
 
-        body[0] += q->id == pair->low ? q->body : 0;
-        body[1] += q->id == pair->high ? q->body : 0;
+        for (int k = 0; k < 2; k++)
+        {
+            if (q->id == (k == 0 ? pair->low : pair->high))
+            {
+                e->there[k] = 1;
+                e->fixed[k] = (q->flags & DEM_PARTICLE_FROZEN) != 0;
+                e->body[k] = q->body;
+                e->radius[k] = q->radius;
+                memcpy(e->x[k], q->x, sizeof e->x[k]);
+            }
+        }
     }
-    dem_collect_sum_int64(&p->decomposition, body, 2);
-    return body[0] != 0 && body[0] == body[1];
+    dem_collect_sum_int64(&p->decomposition, e->there, 2);
+    dem_collect_sum_int64(&p->decomposition, e->fixed, 2);
+    dem_collect_sum_int64(&p->decomposition, e->body, 2);
+    dem_collect_sum_double(&p->decomposition, e->radius, 2);
+    dem_collect_sum_double(&p->decomposition, e->x[0], 3);
+    dem_collect_sum_double(&p->decomposition, e->x[1], 3);
+}
+
+/* Between the centres, of the nearest images in a box that is not sheared [m]. */
+static double distance_of(const struct dem_domain *d, const struct ends *e)
+{
+    double r[3];
+
+    for (int k = 0; k < 3; k++)
+    {
+        r[k] = e->x[1][k] - e->x[0][k];
+        r[k] -= d->length[k] > 0.0 ? d->length[k]*round(r[k]/d->length[k]) : 0.0;
+    }
+    return dem_vec_norm(r);
+}
+
+/* Collective. Why a pair of the list has no row. */
+static int explain_missing(const struct dem_state *p, const struct listed_pair *pair)
+{
+    const struct dem_effect *const bond = effect_of_column(&p->interaction_table, NULL);
+    const long long low = (long long)pair->low, high = (long long)pair->high;
+    struct ends e;
+
+    find_ends(p, pair, &e);
+    DEM_REQUIRE(e.there[0] && e.there[1], DEM_ERROR_INPUT, "bonds/pairs: (%lld %lld), but there is no particle %lld; "
+                "correct the list", low, high, e.there[0] ? high : low);
+    DEM_REQUIRE(!e.fixed[0] || !e.fixed[1], DEM_ERROR_INPUT,
+                "bonds/pairs: particles %lld and %lld are frozen or driven, so neither is free "
+                "to move and a bond between them would do nothing; take the pair off the list, "
+                "or set one of them free", low, high);
+    DEM_REQUIRE(e.body[0] == 0 || e.body[0] != e.body[1], DEM_ERROR_INPUT,
+                "bonds/pairs: particles %lld and %lld are spheres of one clump, which is rigid: a bond "
+                "between them would do nothing; take the pair off the list", low, high);
+    return dem_error(DEM_ERROR_INPUT,
+                     "bonds/pairs: the centres of particles %lld and %lld are %.4g m apart, %.4g times the sum of "
+                     "their radii, which is beyond makeDistance and breakDistance of %s; correct the list, or raise "
+                     "both", low, high, distance_of(&p->domain, &e),
+                     distance_of(&p->domain, &e)/(e.radius[0] + e.radius[1]), bond ? bond->name : "a bond");
 }
 
 static int check_found(const struct dem_state *p, const struct listed_pair *list, size_t pairs,
@@ -113,33 +166,16 @@ static int check_found(const struct dem_state *p, const struct listed_pair *list
 {
     dem_collect_max_uint8(&p->decomposition, found, pairs);
     DEM_TRY(dem_collect_agree(&p->decomposition, DEM_OK));
-    const struct dem_effect *const e = effect_of_column(&p->interaction_table, NULL);
-
     for (size_t k = 0; k < pairs; k++)
     {
-        const int duplicate = k > 0 && compare(&list[k], &list[k - 1]) == 0;
-
-        DEM_REQUIRE(found[k] || duplicate || !neither_is_free(p, &list[k]), DEM_ERROR_INPUT,
-                    "bonds/pairs: particles %lld and %lld are frozen or driven, so neither is free "
-                    "to move and a bond between them would do nothing; take the pair off the list, "
-                    "or set one of them free", (long long)list[k].low, (long long)list[k].high);
-        DEM_REQUIRE(found[k] || duplicate || !are_of_one_clump(p, &list[k]), DEM_ERROR_INPUT,
-                    "bonds/pairs: particles %lld and %lld are spheres of one clump, which is rigid: a bond "
-                    "between them would do nothing; take the pair off the list",
-                    (long long)list[k].low, (long long)list[k].high);
-        DEM_REQUIRE(found[k] || duplicate, DEM_ERROR_INPUT,
-                    "bonds/pairs: particles %lld and %lld do not exist or are farther apart than "
-                    "breakDistance of %s; correct the list, or raise makeDistance and "
-                    "breakDistance",
-                    (long long)list[k].low, (long long)list[k].high, e ? e->name : "a bond");
+        DEM_TRY(found[k] ? DEM_OK : explain_missing(p, &list[k]));
     }
     return DEM_OK;
 }
 
-static void mark_all(struct dem_state *p, const int64_t *ids, struct listed_pair *list,
-                     size_t pairs, uint8_t *found)
+static void mark_all(struct dem_state *p, const struct listed_pair *list, size_t pairs,
+                     uint8_t *found)
 {
-    sort_list(ids, pairs, list);
     for (int m = 0; m < p->interaction_table.history_columns; m++)
     {
         if (effect_of_column(&p->interaction_table, p->interaction_table.history_name[m]))
@@ -151,7 +187,7 @@ static void mark_all(struct dem_state *p, const int64_t *ids, struct listed_pair
 
 int dem_bond_pairs_mark(struct dem_state *p, const int64_t *ids, size_t count)
 {
-    const size_t pairs = count/2;
+    size_t pairs = count/2;
 
     struct listed_pair *list = NULL;
     uint8_t *found = NULL;
@@ -161,7 +197,8 @@ int dem_bond_pairs_mark(struct dem_state *p, const int64_t *ids, size_t count)
     status = dem_collect_agree(&p->decomposition, status);
     if (!status)
     {
-        mark_all(p, ids, list, pairs, found);
+        pairs = sort_list(ids, pairs, list);
+        mark_all(p, list, pairs, found);
         status = check_found(p, list, pairs, found);
     }
     dem_memory_free(list);

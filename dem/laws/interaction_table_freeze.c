@@ -308,7 +308,7 @@ static int set_capacities(struct dem_interaction_table *r)
         {
             r->capacity[k][m] = s->capacity(&r->material[m]);
             DEM_REQUIRE(r->capacity[k][m] > 0.0 || r->min_radius[m] <= 0.0, DEM_ERROR_INPUT,
-                        "materials/%s has no %s, which particles with %s need; give it",
+                        "materials/%s has no %s above 0, which particles with %s need; give it",
                         r->material[m].name, s->capacity_entry, s->name);
         }
     }

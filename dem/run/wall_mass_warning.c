@@ -137,7 +137,7 @@ static int describe(const struct dem *d, const struct dem_wall *of, const struct
     {
         dem_text_add(t, "the impact of one particle at impactSpeed, %g m/s, meets %.3g N/m", c->speed, hit);
     }
-    dem_text_add(t, "; use at least %.3g kg, a time/step of at most %.3g s, or type servo\n", least,
+    dem_text_add(t, "; by this estimate, use at least %.3g kg, a time/step of at most %.3g s, or type servo\n", least,
                  sqrt(DEM_WALL_BODY_MAX_SWING/swing));
     return 1;
 }

@@ -40,8 +40,8 @@ static int refuse_moving(const struct dem_insert_group *b)
 
         DEM_REQUIRE(speed == 0.0, DEM_ERROR_INPUT,
                     "%s: a frozen particle never moves, but has a velocity or spin of %g; leave it "
-                    "out, or frozen, or give driven yes",
-                    b->where, speed);
+                    "out, or frozen%s",
+                    b->where, speed, b->clump.shape ? "" : ", or give driven yes");
     }
     return DEM_OK;
 }

@@ -168,7 +168,8 @@ static int read_drawn(struct dem_insert_group *b, const struct dem_interaction_t
 
     if (expected > many*mean)
     {
-        DEM_TRY(dem_packing_check_fraction(&b->shape, expected, expected/mean, b->where));
+        DEM_TRY(dem_packing_check_fraction(&b->shape, expected, expected/mean,
+                                           b->clump.shape ? "clumps" : "particles", b->where));
     }
     DEM_TRY(dem_amount_draw(b, &amount, sizes));
     return DEM_OK;
@@ -191,7 +192,8 @@ static int read_random(struct dem_insert_group *b, const struct dem_interaction_
         volume += pi/6.0*d*d*d;
         DEM_TRY(dem_insertion_shape_check_fits(&b->shape, 0.5*d, b->where));
     }
-    return dem_packing_check_fraction(&b->shape, volume, (double)b->count, b->where);
+    return dem_packing_check_fraction(&b->shape, volume, (double)b->count,
+                                      b->clump.shape ? "spheres, one around each clump," : "particles", b->where);
 }
 
 /* ---- list and table -------------------------------------------------------------------------- */

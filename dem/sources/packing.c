@@ -18,16 +18,15 @@
 static const double max_fraction = 0.57;
 
 int dem_packing_check_fraction(const struct dem_insertion_shape *v, double volume, double n,
-                               const char *where)
+                               const char *of, const char *where)
 {
     const double room = dem_insertion_shape_volume(v), fraction = volume/room;
 
     /* a number of particles meets a solid fraction to one particle */
     DEM_REQUIRE(volume - volume/fmax(n, 1.0) <= max_fraction*room, DEM_ERROR_INPUT,
-                "%s: %.10g particles at random are a solid fraction of %.6g, the limit is %g; "
+                "%s: %.10g %s at random are a solid fraction of %.6g, the limit is %g; "
                 "enlarge the region, ask for fewer, use type lattice, or let a looser packing "
-                "settle", where, n, fraction,
-                max_fraction);
+                "settle", where, n, of, fraction, max_fraction);
     return DEM_OK;
 }
 

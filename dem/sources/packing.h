@@ -35,9 +35,9 @@ struct dem_packing
 };
 
 /* An error when n spheres of this total volume [m3] are denser than a random packing can be.
-   `where` starts the message. */
+   `of` names the spheres, `where` starts the message. */
 int dem_packing_check_fraction(const struct dem_insertion_shape *, double volume, double n,
-                               const char *where);
+                               const char *of, const char *where);
 
 /* the spheres of a packing; ids of particles: numbers in the group, below 0 for spheres of earlier
    groups, which are frozen */

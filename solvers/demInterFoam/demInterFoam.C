@@ -117,6 +117,13 @@ static void checkFluid(const fv::optionList& options, const bool newtonian, cons
                 << " that the particles would not feel: move the mesh instead"
                 << " (constant/dynamicMeshDict)" << exit(FatalError);
         }
+        if (option.type() == "buoyancyForce")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << option.name() << " of type " << option.type()
+                << ", but demInterFoam has constant/g in its equations: gravity would act twice;"
+                << " take it out" << exit(FatalError);
+        }
     }
     if (!newtonian)
     {

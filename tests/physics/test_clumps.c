@@ -565,6 +565,9 @@ static void refusals(void)
 {
     refused("", "diameter 1e-3;", "for spheres");
     refused("", "driven yes;", "not driven");
+    world_refused(world_text("%s effects { hertz { } } shapes { s { spheres ((0 0 0 1e-3) (1e-3 0 0 1e-3)); } }"
+                             "insert { g { type random; count 100; material glass; shape s; min (0 0 0);"
+                             " max (0.01 0.01 0.01); } }", materials), "100 spheres, one around each clump");
     refused("", "orientation (1 1 0 0);", "unit quaternion");
     refused("", "shape t;", "shape");
     refused("shapes { t { spheres ((0 0 0 0)); } }", "", "radius above 0");

@@ -67,6 +67,8 @@ timeDataFileName "constant/acceleration"; }""")
 case.write("constant/acceleration", "2((0 ((0 0 0) (0 0 0) (0 0 0))) (1 ((0 0 0) (0 0 0) (0 0 0))))")
 claim_refused("an acceleration that particles do not feel", case, "sway of type tabulatedAccelerationSource ... "
               "move the mesh", "demInterFoam")
+case.dictionary("constant/fvOptions", "weight { type buoyancyForce; selectionMode all; fields (U); }")
+claim_refused("a second gravity", case, "weight of type buoyancyForce ... gravity would act twice", "demInterFoam")
 case.remove("constant/fvOptions")
 case.copy(case/"0/alpha.water", "kept")
 case.remove("0/alpha.water")
