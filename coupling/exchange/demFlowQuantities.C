@@ -11,8 +11,6 @@
 #include "demUnderRelaxation.H"
 #include "turbulenceModel.H"
 #include "fvcGrad.H"
-#include "fvcMeshPhi.H"
-#include "fvcReconstruct.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "linear.H"
@@ -131,14 +129,20 @@ void Foam::demFlowQuantities::updateAcceleration(const volVectorField& U)
     volVectorField& a = acceleration_();
     const volTensorField gradU(fvc::grad(U));
 
-    // On a moving mesh, relative to the cells
+    a = U & gradU;
+
+    // On a moving mesh du/dt, below, is the derivative along the cells. Not by
+    // fvc::reconstruct(fvc::meshPhi(U)): it multiplies a tensor by a temporary vector, and the
+    // compiler may overwrite a component before it reads it.
     if (mesh_.moving())
     {
-        a = (U - fvc::reconstruct(fvc::meshPhi(U))) & gradU;
-    }
-    else
-    {
-        a = U & gradU;
+        const pointField path(mesh_.points() - mesh_.oldPoints());
+
+        forAll(gradU, celli)
+        {
+            const vector moved(average(vectorField(path, mesh_.cellPoints()[celli])));
+            a[celli] -= moved/mesh_.time().deltaTValue() & gradU[celli];
+        }
     }
 
     // In a rotating frame du/dt, below, is the derivative in that frame (demRotatingFrame.H)

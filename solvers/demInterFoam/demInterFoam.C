@@ -46,6 +46,8 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "meanVelocityForce.H"
+#include "tabulatedAccelerationSource.H"
 #include "demDrivingForce.H"
 #include "demFiles.H"
 #include "demFluid.H"
@@ -101,20 +103,18 @@ static void checkFluid(const fv::optionList& options, const bool newtonian, cons
 {
     for (const fv::option& option : options)
     {
-        const word type(option.type());
-
-        if (type == "meanVelocityForce")
+        if (isA<fv::meanVelocityForce>(option))
         {
             FatalErrorInFunction
-                << "fvOptions has " << option.name() << " of type " << type << ", one force for"
-                << " both fluids, which drives the light one away: use demPimpleFoam for one"
-                << " fluid, or tilt constant/g" << exit(FatalError);
+                << "fvOptions has " << option.name() << " of type " << option.type()
+                << ", one force for both fluids, which drives the light one away: use"
+                << " demPimpleFoam for one fluid, or tilt constant/g" << exit(FatalError);
         }
-        if (type == "tabulatedAccelerationSource" || type == "tabulated6DoFAccelerationSource")
+        if (isA<fv::tabulatedAccelerationSource>(option))
         {
             FatalErrorInFunction
-                << "fvOptions has " << option.name() << " of type " << type << ", an acceleration"
-                << " that the particles would not feel: move the mesh instead"
+                << "fvOptions has " << option.name() << " of type " << option.type()
+                << ", an acceleration that the particles would not feel: move the mesh instead"
                 << " (constant/dynamicMeshDict)" << exit(FatalError);
         }
         if (option.type() == "buoyancyForce")

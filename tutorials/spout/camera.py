@@ -116,25 +116,25 @@ def check():
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    words.add_argument("-interval", type=float, default=2, help="ms between the pictures")
-    words.add_argument("-window", type=float, default=7, help="mm, at most 21")
-    words.add_argument("-passes", type=int, default=3, help="1: both windows at one place")
-    words.add_argument("-from", dest="start", type=float, default=1, help="s, first instant")
-    words.add_argument("-to", dest="end", type=float, default=numpy.inf, help="s, last instant")
-    words.add_argument("-every", type=int, default=1, help="of the instants, this one only")
-    words.add_argument("-check", action="store_true", help="beads that all move alike")
-    words.add_argument("run", nargs="?", type=Path, default=evaluate.HERE/"runs/bed")
-    words = words.parse_args()
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("-interval", type=float, default=2, help="ms between the pictures")
+    parser.add_argument("-window", type=float, default=7, help="mm, at most 21")
+    parser.add_argument("-passes", type=int, default=3, help="1: both windows at one place")
+    parser.add_argument("-from", dest="start", type=float, default=1, help="s, first instant")
+    parser.add_argument("-to", dest="end", type=float, default=numpy.inf, help="s, last instant")
+    parser.add_argument("-every", type=int, default=1, help="of the instants, this one only")
+    parser.add_argument("-check", action="store_true", help="beads that all move alike")
+    parser.add_argument("run", nargs="?", type=Path, default=evaluate.HERE/"runs/bed")
+    words = parser.parse_args()
     if words.check:
         error = check()
         sys.exit(f"camera: error {error:.3g} m/s of 0.73 m/s" if error > 0.02 else 0)
     if words.interval <= 0 or not 0 < words.window <= 21:
-        words.error("an interval above 0 and a window of at most 21 mm")
+        parser.error("an interval above 0 and a window of at most 21 mm")
     chosen = [place for time, *place in evaluate.frames.list_frames(words.run)
               if words.start*(1 - 1e-9) <= time <= words.end*(1 + 1e-9)][::words.every]
     if len(chosen) < 10:
-        words.error(f"{len(chosen)} instants of the record of {words.run}; means take 10 at least")
+        parser.error(f"{len(chosen)} instants of the record of {words.run}; means take 10 at least")
     print("mm from the middle ", *(f"{1e3*point:6.1f}" for point in POINTS))
     for share in evaluate.SHARES:
         rows = []

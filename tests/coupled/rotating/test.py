@@ -202,6 +202,28 @@ for name, velocity, in_frame, at_rest, words in (
     claim(f"held, {name}: Du/Dt {words}", min(rotor.sum(), (~rotor).sum()) > 20
           and np.linalg.norm(gained - 0.003/3*expected, axis=1).max() < 1e-12)
 
+# The same beside the axis of a mesh that rotates by w: cells keep their velocity U = W k x X, X their place at first, so
+# that Du/Dt = ((U - w k x x).grad) U with x = R X and (v.grad) U = W k x (R^-1 v)
+case = Rings("held.mesh")
+case.controls(0.004, 0.001, 0.001, OBJECT)
+case.turning(10)
+seeds = hold(case, lambda x, y: (-20*y, 20*x))
+r = np.hypot(seeds[:, 0], seeds[:, 1])
+case.sub("0/p", "type zeroGradient;", "type fixedValue; value uniform 0;")         # else its outflow must balance
+seeds = seeds[(r > 0.0125) & (r < 0.0175)]
+case.properties("water { density 1000; youngsModulus 1e6; }", "hertz {} dry { restitution 0.5; } virtualMass {}",
+                f"seeds {{ type list; diameter 0.2e-3; positions ({' '.join(map(vector, seeds))}); }}",
+                "rho 1000; twoWay no; kernel particleCentre;")
+claim_runs("held, mesh: runs", case, "pimpleFoam")
+X, expected = seeds @ [1, 1j, 0], 0         # k x is a product with i
+for t in (0.002, 0.003, 0.004):
+    turn = np.exp(10j*t)
+    expected += 0.001/3*20j*(20j*X - 10j*X*turn)/turn
+gained = (case.column("0.004", "U") - case.column("0.001", "U")) @ [1, 1j, 0]
+# cells move by the chord of the step, 1e-2/2, and by the mean of their points: 3e-3 of w r
+claim("held, mesh: Du/Dt of fluid in a mesh that rotates", len(seeds) > 20
+      and abs(gained - expected).max() < 0.01*abs(expected).max(), abs(gained - expected).max()/abs(expected).max())
+
 # ---- refused ---------------------------------------------------------------------------------------
 
 case = Rings("refused")
