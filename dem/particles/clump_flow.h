@@ -37,7 +37,7 @@
 struct dem_clump_flow_row
 {
     double share;                     /* 1 */
-    double surface;                   /* 1  times the surface of the body over that of the sphere */
+    double surface;                   /* 1  times A/(pi d^2): the body, the sphere of its volume */
     double drag, particle_drag;       /* kg/s  b_k; without the slip factor */
     double slip_force[3];             /* N  d_k */
     double force[3], reaction[3];     /* N  f_k; part of it whose opposite acts on the fluid */

@@ -11,6 +11,7 @@ import random
 import re
 import resource
 import shutil
+import signal
 import sys
 import traceback
 import warnings
@@ -29,6 +30,7 @@ from tap import claim, finish
 WORK = Path(sys.argv[1]).resolve()/"fuzz"
 INPUTS = range(1, 20001 if os.environ.get("SUNA_LONG") else 401)
 MEMORY = 4 << 30
+LONGEST = 120  # s, of one input: an endless loop
 EVIL = ("", "0", "-1", "1", "nan", "inf", "-inf", "1e308", "-1e308", "1e-308", "1e999", "0x10", "1_0",
         "1000000000", "99999999999999999999", "-5", "0.5", "1e-9", "x", "all", "NULL", "INF", "EDGE",
         "yes", "no", "on", "off", "${x}", "$x", "${", "$(", "$(1/0)", "$(step)", "v_x", "v_", "&", "#",
@@ -185,6 +187,10 @@ def read(path):
     report.table()
 
 
+def too_long(*_):
+    raise TimeoutError(f"not read within {LONGEST} s")
+
+
 def fault(number, found):
     """What is wrong with input NUMBER: text, or nothing."""
     chance = random.Random(number)
@@ -197,6 +203,7 @@ def fault(number, found):
         (folder/file).parent.mkdir(parents=True, exist_ok=True)
         (folder/file).write_text(mutated(text, vocabulary, chance) if file == target else text)
     os.chdir(folder)
+    signal.alarm(LONGEST)
     try:
         read(Path(name))
     except CannotTranslate as error:
@@ -207,10 +214,13 @@ def fault(number, found):
             return f"{target}: without a file: {first}"
     except Exception:
         return f"{target}: " + traceback.format_exc(limit=-4)
+    finally:
+        signal.alarm(0)
     return ""
 
 
 def main():
+    signal.signal(signal.SIGALRM, too_long)
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     warnings.simplefilter("ignore")
     shutil.rmtree(WORK, ignore_errors=True)

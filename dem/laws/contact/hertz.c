@@ -97,7 +97,6 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define SETS DEM_SETS_KN | DEM_SETS_FN
 #include "laws/contact_loop.h"
 
-/* elastic energy, 2/5 F_n d */
 #define LAW dem_hertz
 #define COLUMNS 0
 #include "laws/energy_loop.h"

@@ -60,7 +60,6 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 #define SETS DEM_SETS_FN
 #include "laws/contact_loop.h"
 
-/* elastic energy, 1/2 F_n d; k is zero where the bodies are apart */
 #define LAW dem_hooke
 #define COLUMNS 0
 #include "laws/energy_loop.h"
