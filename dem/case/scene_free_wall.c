@@ -161,20 +161,6 @@ static int check_load(const struct dem_dict *dict, const struct freedom *f, cons
     return table ? DEM_OK : check_along(dict, f, name, unit, v, "");
 }
 
-/* Without `rotations`, its other entries would be unknown ones. */
-static int check_no_rotation(const struct dem_dict *dict, const struct dem_wall *of)
-{
-    static const char *const entry[] = {"torque", "spin", "angularDamping", "inertia"};
-
-    for (size_t k = 0; k < sizeof entry/sizeof *entry; k++)
-    {
-        DEM_REQUIRE(!dem_dict_has(dict, entry[k]), DEM_ERROR_INPUT, "%s: %s: %s, but wall %s does not rotate freely; "
-                    "add rotations (x y z), or one of the axes, or take %s out", PLACE(dict), entry[k], of->name,
-                    entry[k]);
-    }
-    return DEM_OK;
-}
-
 static int read_rotation(const struct dem_dict *dict, const struct dem_wall *of, struct dem_wall_body *b)
 {
     static const double zero[3] = {0.0, 0.0, 0.0};
@@ -183,7 +169,7 @@ static int read_rotation(const struct dem_dict *dict, const struct dem_wall *of,
 
     if (!dem_dict_has(dict, "rotations"))
     {
-        return check_no_rotation(dict, of);
+        return DEM_OK;
     }
     DEM_TRY(read_axes(dict, "rotations", f.axis, &f.axes));
     t->axes = f.axes;

@@ -385,7 +385,6 @@ int main(void)
     refuses("mass -1;", "walls/w/motion: mass -1 kg; give a number above 0");
     refuses("mass 1; rotations (z); inertia (1 1 1); centre (0 0 0); spin (5 0 2);",
             "spin (5 0 2) 1/s, but wall w rotates freely about z only; give spin (0 0 2), or more rotations");
-    refuses("mass 1; torque (0 0 1);", "torque, but wall w does not rotate freely; add rotations");
     refuses("mass 1; axes (y z); velocity (1 3 0);",
             "velocity (1 3 0) m/s, but wall w moves freely along y z only; give velocity (0 3 0), or more axes");
     refuses("mass 1; axis (3 0 4); velocity (4 0 -3);", "moves freely along (0.6 0 0.8) only");
