@@ -63,7 +63,7 @@ void Foam::demTimeStepControl::read(const scalar maxCo)
 {
     const scalar defaultLimit[nCriteria] = {maxCo, cloud_.particles().maxCo(), 0.1, 0};
 
-    for (label k = FLUID; k < nCriteria; ++k)   // the solver has set its own
+    for (label k = FLUID; k < nCriteria; ++k)   // those that a solver adds have a limit already
     {
         const dictionary& control = time_.controlDict();
         limit_[k] = control.getOrDefault<scalar>(names_[k], defaultLimit[k]);

@@ -8,9 +8,11 @@
 #include "dem_plan.h"
 #include "demColumns.H"
 #include "demFiles.H"
+#include "demReconstruct.H"
 #include "demUnderRelaxation.H"
 #include "turbulenceModel.H"
 #include "fvcGrad.H"
+#include "fvcMeshPhi.H"
 #include "fvcSnGrad.H"
 #include "fvcSurfaceIntegrate.H"
 #include "linear.H"
@@ -129,21 +131,13 @@ void Foam::demFlowQuantities::updateAcceleration(const volVectorField& U)
     volVectorField& a = acceleration_();
     const volTensorField gradU(fvc::grad(U));
 
-    a = U & gradU;
-
-    // On a moving mesh du/dt, below, is the derivative along the cells. Not by
-    // fvc::reconstruct(fvc::meshPhi(U)): it multiplies a tensor by a temporary vector, and the
-    // compiler may overwrite a component before it reads it.
+    // On a moving mesh du/dt, below, is the derivative along the cells
+    volVectorField relative("relative", U);
     if (mesh_.moving())
     {
-        const pointField path(mesh_.points() - mesh_.oldPoints());
-
-        forAll(gradU, celli)
-        {
-            const vector moved(average(vectorField(path, mesh_.cellPoints()[celli])));
-            a[celli] -= moved/mesh_.time().deltaTValue() & gradU[celli];
-        }
+        relative -= demReconstruct(fvc::meshPhi(U)/mesh_.magSf());
     }
+    a = relative & gradU;
 
     // In a rotating frame du/dt, below, is the derivative in that frame (demRotatingFrame.H)
     for (const demRotatingFrame& frame : frames_)

@@ -67,7 +67,7 @@ Foam::PtrList<Foam::demRotatingFrame> Foam::demRotatingFrame::all(const polyMesh
 }
 
 
-void Foam::demRotatingFrame::check(const polyMesh& mesh, const bool demPimpleFoam)
+void Foam::demRotatingFrame::check(const polyMesh& mesh, const bool volumeAveraged)
 {
     if (mesh.foundObject<IOdictionary>("SRFProperties"))
     {
@@ -78,7 +78,7 @@ void Foam::demRotatingFrame::check(const polyMesh& mesh, const bool demPimpleFoa
     }
 
     const PtrList<demRotatingFrame> frames(all(mesh));
-    if (demPimpleFoam && frames.size())
+    if (volumeAveraged && frames.size())
     {
         FatalErrorInFunction
             << "Zone " << frames[0].name_ << " of constant/MRFProperties is active, but"

@@ -46,6 +46,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
+#include "buoyancyForce.H"
 #include "meanVelocityForce.H"
 #include "tabulatedAccelerationSource.H"
 #include "demDrivingForce.H"
@@ -117,7 +118,7 @@ static void checkFluid(const fv::optionList& options, const bool newtonian, cons
                 << ", an acceleration that the particles would not feel: move the mesh instead"
                 << " (constant/dynamicMeshDict)" << exit(FatalError);
         }
-        if (option.type() == "buoyancyForce")
+        if (isA<fv::buoyancyForce>(option))
         {
             FatalErrorInFunction
                 << "fvOptions has " << option.name() << " of type " << option.type()

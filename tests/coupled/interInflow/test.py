@@ -83,7 +83,7 @@ for name, drain, entry, inside, velocity in (("air enters water", "z-", "z+", 1,
 
 fields = {}
 for skins in ("", "neighbours { outerSkin 0.15; innerSkin 0.03; }"):
-    case = TwoFluids("skins" + skins[:2])
+    case = TwoFluids("skins-other" if skins else "skins")
     case.controls(0.03, 1e-3, precision=17)
     case.fluids(correctors=2)
     case.box((0.12, 0.02, 0.06), (24, 4, 12),

@@ -18,7 +18,6 @@ def vessel(name, omega, end, write):
     case.controls(end, 5e-4, write=write)
     case.fluids(*thin, tolerance=1e-11, sub_cycles=2)
     rings(case, (10, 20, 20, 40), 40, ((3, 6, 12), (5, 5, 12)), lids=True)
-    sliding = '"(inside|outside)" { type cyclicAMI; }'
     case.sub("system/fvSolution", "solver PCG; preconditioner DIC;", "solver PBiCGStab; preconditioner DIC;")
     sliding = '"(inside|outside)" { type cyclicAMI; }'
     case.fields(("shaft", "vessel", "lids", "ends"), slip=True, more=(sliding, sliding, sliding))
@@ -30,8 +29,7 @@ solidBodyMotionFunction rotatingMotion; origin (0 0 0); axis (0 0 1); omega {ome
 
 
 def run(what, case):
-    case.run("demInterFoam")
-    claim_ran(f"{what}: runs", case, "demInterFoam")
+    claim_runs(f"{what}: runs", case, "demInterFoam")
     low, high, volume = case.bounds().T
     claim(f"{what}: alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
     claim(f"{what}: the volume of water is kept (1e-12)", np.ptp(volume) < 1e-12*volume[0], np.ptp(volume)/volume[0])
@@ -45,6 +43,7 @@ case.alpha(lambda x: x[:, 2] < 0.02)
 case.grains(material, "gidaspow {}", "grain { type list; diameter 1e-5; frozen yes; positions ((0.03 0 0.03)); }",
             "walls (lids ends);", "time { step 5e-4; }")
 run("rest", case)
+# the linear solvers' tolerance of 1e-11; g T is 5e-3 m/s a step
 claim("rest: the fluids stay at rest (1e-9 m/s)", largest(case.interior("U")) < 1e-9, largest(case.interior("U")))
 
 place = {}
@@ -69,13 +68,13 @@ for omega in (0, 20):
         place[omega, time] = water @ case.field(f"{time}/C")/water.sum()
 fall = place[0, "0.05"] - place[0, "0"]
 off = difference(place[20, "0.05"], place[0, "0.05"])/np.linalg.norm(fall)
+# the interpolation across the interface differs from step to step; fluid dragged along would turn by 57 degrees
 claim("dam: the rotation moves the centre of the water by 2 % of its path at most", 0 < off < 0.02, off, fall)
 
 case.controls(0.01, 5e-4)
 case.remove("0.0*")
 case.run("decomposePar")
-case.run("demInterFoam", ranks=2)
-claim_ran("dam, two ranks: runs", case, "demInterFoam")
+claim_runs("dam, two ranks: runs", case, "demInterFoam", ranks=2)
 low, high, volume = case.bounds().T
 claim("dam, two ranks: alpha in [0, 1] and the volume of water are kept (1e-12)", low.min() > -1e-12 and
       high.max() < 1e-12 and np.ptp(volume) < 1e-12*volume[0], low.min(), high.max(), np.ptp(volume)/volume[0])

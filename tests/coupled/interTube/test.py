@@ -130,8 +130,7 @@ resistance
 case.grains("grain { density 2500; youngsModulus 1e6; }", "stokesDrag {}",
             f"grain {{ type list; diameter 1e-6; frozen yes; positions ((0 {width/2} {-radius})); }}",
             "kernel linear; record { interval 0.01; budget yes; }", "time { step 1e-3; }")
-case.run("demInterFoam")
-claim_ran("pump: runs", case, "demInterFoam")
+claim_runs("pump: runs", case, "demInterFoam")
 inertia = np.sum((water[0]*wet + air[0]*(1 - wet))*h)
 decay = mu*darcy*len(zone)*h/inertia/2
 omega = math.sqrt(2*(water[0] - air[0])*g/inertia - decay**2)
