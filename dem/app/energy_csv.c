@@ -14,7 +14,8 @@
 int dem_energy_log_begin(struct dem_energy_log *log, const struct dem_program *prog,
                          const struct dem_output *o, const struct dem *d)
 {
-    *log = (struct dem_energy_log){.output = o, .interval = o->energy, .mechanical.when = o->start, .heat.when = o->start};
+    *log = (struct dem_energy_log){.output = o, .interval = o->energy,
+                                   .mechanical.when = o->start, .heat.when = o->start};
     dem_table_name(&log->table, o->folder, "energy.csv", o->start);
     if (log->interval <= 0.0)
     {

@@ -68,8 +68,8 @@ int dem_api_read_scene(struct dem_case *);
 /* Checks that need no particles, of a scene that has been read and whose walls exist. */
 int dem_api_check_scene(struct dem_case *);
 
-/* Refuse what does not work with rigid bodies of several spheres; once the particles are known, how far
-   these reach out of subdomains (collective). */
+/* Refuse what does not work with rigid bodies of several spheres, and set interaction_table.bond_radius; once the
+   particles are known, how far the bodies reach out of subdomains (collective). */
 int dem_api_check_clumps(struct dem_case *);
 int dem_api_begin_clumps(struct dem *);
 

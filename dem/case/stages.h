@@ -66,8 +66,8 @@ int dem_stages_check(const struct dem *);
 /* Stage k begins at `time` [s]: all times that name it become known. */
 void dem_stages_begin(struct dem *, int k, double time, const char *why);
 
-/* Find how long motions that a stage begins or ends last at most, dem_motion.longest: infinite where a stage between has
-   until without atMost. A coupled stage may last one exchange longer. */
+/* Find how long motions that a stage begins or ends last at most, dem_motion.longest: infinite where a stage
+   between has until without atMost. A coupled stage may last one exchange longer. */
 void dem_stages_limit_motions(struct dem *);
 
 /* At the start: the first stage begins, or the stages go on from the snapshot of a restart. Then the walls

@@ -123,6 +123,16 @@ static void dem_balance_impulses(struct dem_particle_balance *e, global const do
 }
 #endif
 
+static void set_motion(struct dem_body_row *r, double4 v, double4 w)
+{
+    r->vx = v.x;
+    r->vy = v.y;
+    r->vz = v.z;
+    r->wx = w.x;
+    r->wy = w.y;
+    r->wz = w.z;
+}
+
 kernel __attribute__((reqd_work_group_size(DEM_DEVICE_GROUP, 1, 1)))
 void bodies(constant struct dem_device_batch *b, global struct dem_device_report *report, uint s,
             global double4 *restrict record, global const uchar *restrict touch,
@@ -171,12 +181,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         r.fx = f[0];
         r.fy = f[1];
         r.fz = f[2];
-        r.vx = v.x;
-        r.vy = v.y;
-        r.vz = v.z;
-        r.wx = w.x;
-        r.wy = w.y;
-        r.wz = w.z;
+        set_motion(&r, v, w);
 
         const double h = b->dt;
 
@@ -234,12 +239,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #if FLUID
         dem_balance_impulses(&e, columns, n, i, impulse, spin_impulse);
 #endif
-        r.vx = v.x;
-        r.vy = v.y;
-        r.vz = v.z;
-        r.wx = w.x;
-        r.wy = w.y;
-        r.wz = w.z;
+        set_motion(&r, v, w);
         body_balance(&e, &r);
 #endif
         if (b->applied > 0)

@@ -53,7 +53,8 @@ struct dem_device
     /* of rows: the present lists and those before; results of a step; a copy */
     struct dem_device_rows list[2];
     int at;
-    struct dem_opencl_memory force, moment, energy, contacts, exact, conditions, rates, applied, ids, before_touch, before_history;
+    struct dem_opencl_memory force, moment, energy, contacts, exact, conditions, rates, applied, ids,
+        before_touch, before_history;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates, former_place;
@@ -132,9 +133,8 @@ int dem_device_move_walls(struct dem_device *, struct dem_state *, const struct 
 void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *);
 
 /* device_sums.c: exact sums of a batch of steps, of loads on walls and of the energy balance, if they are
-   asked for: begin with zero, the kernel of walls and its
-   arguments, add them to the host's. 1: the work of walls
-   that move is summed. */
+   asked for. Begin with zero; the arguments of the kernel of walls, and its launch in step s; add the sums
+   to the host's. has_wall_work: 1 when the work of walls that move is summed. */
 int dem_device_begin_sums(struct dem_device *, const struct dem_state *, struct dem_device_batch *);
 int dem_device_give_loads(struct dem_device *);
 int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint32_t s);

@@ -2,8 +2,8 @@
  * device_sums.c -- exact sums of the steps of the device (sums.cl), added to the host's: loads on walls
  * and their work (write/walls, records/wall_statistics.h), the energy balance (write/energy).
  *
- * Limit: the device does not carry within a batch, so each copy of a digit is sure to be right for 2^31 terms: 2^23
- * terms a step in batches of DEM_DEVICE_BATCH steps.
+ * Limit: the device does not carry within a batch, so a copy of a digit holds 2^31 terms: 2^23 terms a step in
+ * batches of DEM_DEVICE_BATCH steps. This is not checked.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

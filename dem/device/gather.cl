@@ -227,12 +227,8 @@ static void dem_row_of_wall(global const double4 *restrict record,
     {
         const double4 p = contact[0], n = contact[1];
 
-        point[0] = p.x;
-        point[1] = p.y;
-        point[2] = p.z;
-        normal[0] = n.x;
-        normal[1] = n.y;
-        normal[2] = n.z;
+        vstore3(p.xyz, 0, point);
+        vstore3(n.xyz, 0, normal);
         h = p.w;
     }
     else

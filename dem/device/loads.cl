@@ -19,12 +19,8 @@ static void dem_row_point(constant struct dem_device_batch *b, uint s, uint row,
     const double4 p = contacts[2*(size_t)(row - b->walls)],
                   n = contacts[2*(size_t)(row - b->walls) + 1];
 
-    point[0] = p.x;
-    point[1] = p.y;
-    point[2] = p.z;
-    normal[0] = n.x;
-    normal[1] = n.y;
-    normal[2] = n.z;
+    vstore3(p.xyz, 0, point);
+    vstore3(n.xyz, 0, normal);
 #else
     const double at[3] = {x.x, x.y, x.z};
 

@@ -4,7 +4,8 @@
  *
  * The host defines SCALARS, their number; RATES, 1 if contacts have rates; and for each scalar
  * dem_scalar_column, where its values are; dem_scalar_exchange, where its exchange begins (-1: none);
- * dem_scalar_rated, 1 if it changes; dem_scalar_heat, the one whose content is energy, or -1; dem_scalar_limits; and dem_scalar_capacity by scalar and material.
+ * dem_scalar_rated, 1 if it changes; dem_scalar_limits; and dem_scalar_capacity by scalar and material.
+ * dem_scalar_heat is the scalar whose content is energy, or -1.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

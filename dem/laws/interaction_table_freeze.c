@@ -86,6 +86,7 @@ static struct dem_pair_class pair_class(const struct dem_interaction_table *r, i
     c.min_mass = reduced(with_wall, of_a, of_b);
     const double bond_a = bond_radius(r, a), bond_b = bond_radius(r, b);
 
+    /* as min_radius, to the last bit: bonds of spheres keep their step */
     c.bond_radius = with_wall ? bond_a : bond_a*bond_b/(bond_a + bond_b);
     c.bond_mass = reduced(with_wall, sphere_mass(m->density + c.added_density, bond_a),
                           sphere_mass(o->density + c.added_density, bond_b));

@@ -47,7 +47,7 @@ static inline void dem_chords_unite(struct dem_chords *c)
         }
         else
         {
-            memcpy(c->at[++last], c->at[k], sizeof *c->at);
+            memmove(c->at[++last], c->at[k], sizeof *c->at);    /* may be the same */
         }
     }
     c->n = c->n > 0 ? last + 1 : 0;

@@ -157,12 +157,10 @@ void dem_clump_flow_kick(const struct dem_clump_flow *f, const struct dem_clumps
     }
 }
 
-void dem_clump_flow_end_window(const struct dem_clumps *c, struct dem_particles *p)
+void dem_clump_share_decay(const struct dem_clumps *c, const struct dem_particles *p, const double *time,
+                           double *decay, int per_mass)
 {
-    double *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR);
-    const double *const time = dem_column(p, DEM_COLUMN_DRAG_TIME);
-
-    for (size_t body = 0; decay && body < c->n; body++)
+    for (size_t body = 0; body < c->n; body++)
     {
         double sum = 0.0;
 
@@ -173,8 +171,19 @@ void dem_clump_flow_end_window(const struct dem_clumps *c, struct dem_particles 
         for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
         {
             const size_t i = c->member[k];
+            const double masses = per_mass ? dem_clump_at(p, i)->mass/p->record[i].mass : 1.0;
 
-            decay[i] = sum > 0.0 ? 1.0 - time[i]/sum*(1.0 - decay[i]) : 1.0;
+            decay[i] = sum > 0.0 ? 1.0 - masses*time[i]/sum*(1.0 - decay[i]) : 1.0;
         }
+    }
+}
+
+void dem_clump_flow_end_window(const struct dem_clumps *c, struct dem_particles *p)
+{
+    double *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR);
+
+    if (decay)
+    {
+        dem_clump_share_decay(c, p, dem_column(p, DEM_COLUMN_DRAG_TIME), decay, 0);
     }
 }

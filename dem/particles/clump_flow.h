@@ -37,7 +37,8 @@
 struct dem_clump_flow_row
 {
     double share;                     /* 1 */
-    double surface;                   /* 1  times A/(pi d^2): the body, the sphere of its volume */
+    double surface;                   /* 1  share times the surface of the body over the surface of the sphere of its
+                                            volume, A/(pi d^2) */
     double drag, particle_drag;       /* kg/s  b_k; without the slip factor */
     double slip_force[3];             /* N  d_k */
     double force[3], reaction[3];     /* N  f_k; part of it whose opposite acts on the fluid */
@@ -84,8 +85,11 @@ void dem_clump_flow_sum(const struct dem_clump_flow *, const struct dem_clumps *
 void dem_clump_flow_drag(const struct dem_clump_flow_row *, const struct dem_clump_flow_sums *, double h,
                          double J[3]);
 
-/* At the end of a window: give each sphere the decay factor of its body. The response of a body
-   (step/body_window.c) is then the sum over its spheres. */
+/* At the end of a window: the spheres of each body have its decay factor; divide 1 - decay among them in
+   proportion to their time constants, so that the response of the body (step/body_window.c) is the sum over them.
+   `per_mass`: times the mass of the body over the sphere's, where the response is per mass of the sphere. */
+void dem_clump_share_decay(const struct dem_clumps *, const struct dem_particles *, const double *time,
+                           double *decay, int per_mass);
 void dem_clump_flow_end_window(const struct dem_clumps *, struct dem_particles *);
 
 #endif

@@ -27,8 +27,9 @@
  *
  *   max(sum pi r_k^2/V, sum pi r_k^2 rho_k^2/I_a, 2/5 sum pi r_k^4/I_a) = 3/(4 r)
  *
- * where r is the radius of the sphere with the same value. bond_radius is r min(1, 4/N), for the
- * dashpots.
+ * where r is the radius of the sphere with the same value. As for spheres (laws/bond/bond_linear.c) the
+ * largest counts. Together they are at most three times that: a frequency at most sqrt(3) times as high,
+ * which the factor 0.2 of the limit leaves room for. bond_radius is r min(1, 4/N), for the dashpots.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -66,7 +66,7 @@ static double value_of(const struct dem_wear_sum *s)
 
 /* The index, among the triangles of all ranks, of the triangle of a facet that is nearest to a point of
    the wall's frame; of equally near ones the lowest. The point lies on the facet but for round-off, so a
-   radius is far enough; the bound 2 leaves room for the rounding of 1e-3*10*10*10. */
+   radius is far enough. The last reach, a radius, is rounded and may be larger: so the loop goes to 2. */
 static int find_triangle(struct dem_state *state, int facet, const double x[3], double radius,
                          uint32_t *index)
 {

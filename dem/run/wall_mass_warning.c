@@ -11,7 +11,7 @@
  *   p, t_c, v   exponent of the normal law F ~ d^p, contact time at impactSpeed v          [1], [s], [m/s]
  *   c           2.943 for p = 3/2 (Hertz), pi for p = 1
  *   m_p         mass of the particle                                                       [kg]
- *   L           largest given force of the start and weight of the wall                    [N]
+ *   L           given force of the start and weight of the wall, along its axes            [N]
  *   N           particles that lie side by side on the wall, and are there                 [1]
  *
  * Not here: walls that rotate, whose arms are not known before the run.
@@ -83,7 +83,7 @@ static double area_of(const struct dem_state *state, const struct dem_wall *of, 
 
 static double load_on(const struct dem_state *state, const struct dem_wall_body *b)
 {
-    double given[DEM_TIME_TABLE_COLUMNS], gravity[3], sum[3];
+    double given[DEM_TIME_TABLE_COLUMNS], gravity[3], sum[3], along[3] = {0.0, 0.0, 0.0};
 
     dem_interaction_table_gravity(&state->interaction_table, gravity);
     dem_wall_body_load(b, fmax(state->time, b->start), given);
@@ -91,7 +91,11 @@ static double load_on(const struct dem_state *state, const struct dem_wall_body 
     {
         sum[k] = given[k] + b->weighs*gravity[k];
     }
-    return dem_vec_norm(sum);
+    for (int k = 0; k < b->axes; k++)
+    {
+        along[k] = dem_vec_dot(sum, b->axis[k]);
+    }
+    return dem_vec_norm(along);
 }
 
 /* Stiffness [N/m] that the impact of one particle finds at a free wall of this mass. */

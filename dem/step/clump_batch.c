@@ -83,13 +83,14 @@ void dem_clump_batch_take(struct dem_clump_flow *f, struct dem_body_workspace *w
 int dem_index_clumps(struct dem_state *state)
 {
     struct dem_clumps *const c = &state->clumps;
-    int status = c->flow ? dem_clump_flow_reserve(c->flow, state->particles.n) : DEM_OK;
+    const size_t n = state->particles.n;
 
-    status = status || !c->flow || !state->energy_balance->open
-                 ? status
-                 : dem_clump_energy_reserve(c->flow, &state->interaction_table.bodies, state->particles.n);
-    status = status || !c->heat ? status : DEM_GROW(c->heat->row, c->heat->capacity, state->particles.n + 1);
-    return status ? status : dem_clumps_index(c, &state->particles);
+    DEM_TRY(c->flow ? dem_clump_flow_reserve(c->flow, n) : DEM_OK);
+    DEM_TRY(c->flow && state->energy_balance->open
+                ? dem_clump_energy_reserve(c->flow, &state->interaction_table.bodies, n)
+                : DEM_OK);
+    DEM_TRY(c->heat ? DEM_GROW(c->heat->row, c->heat->capacity, n + 1) : DEM_OK);
+    return dem_clumps_index(c, &state->particles);
 }
 
 int dem_kick_clumps(const struct dem_state *state, struct dem_particles *p, const struct dem_body_sweep *s)

@@ -88,13 +88,11 @@ static void find_motion(const struct dem_clumps *c, size_t body, const struct de
     dem_clump_spin(&mean, m->w);
 }
 
-/* v_k of sphere i. */
-static void velocity_of(const struct motion *m, const struct dem_particles *p, size_t i, double v[3])
+/* v_k of the sphere at R r_k from the centre. */
+static void velocity_of(const struct motion *m, const double arm[3], double v[3])
 {
-    const struct dem_clump *const b = dem_clump_at(p, i);
-    double arm[3], turning[3];
+    double turning[3];
 
-    dem_clump_rotate(b->q, b->offset, arm);
     dem_vec_cross(m->w, arm, turning);
     for (int a = 0; a < 3; a++)
     {
@@ -114,7 +112,7 @@ static void add_drag(struct dem_sum *sum, const struct motion *m, const struct d
         double J[3], v[3];
 
         dem_clump_flow_drag(&c->flow->row[i], &m->sums, h, J);
-        velocity_of(m, p, i, v);
+        velocity_of(m, c->arm[k], v);
         kept += dem_vec_dot(J, m->v);
         work += dem_vec_dot(J, dem_column(p, DEM_COLUMN_FLUID_VELOCITY) + 3*i);
         carried += window > 0.0
@@ -147,7 +145,7 @@ void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effec
             {
                 double v[3];
 
-                velocity_of(&m, p, c->member[k], v);
+                velocity_of(&m, c->arm[k], v);
                 dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
                                        h*dem_vec_dot(own_force(c->flow, bodies, c->member[k], e), v));
             }

@@ -123,20 +123,8 @@ void dem_clump_heat_end_window(const struct dem_clumps *c, const struct dem_inte
     double *const decay = dem_scalar_exchange_values(p, t, c->heat->scalar, DEM_SCALAR_DECAY),
            *const time = dem_scalar_exchange_values(p, t, c->heat->scalar, DEM_SCALAR_TIME);
 
-    for (size_t body = 0; decay && body < c->n; body++)
+    if (decay)
     {
-        double sum = 0.0;
-
-        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
-        {
-            sum += time[c->member[k]];
-        }
-        for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
-        {
-            const size_t i = c->member[k];
-            const double masses = dem_clump_at(p, i)->mass/p->record[i].mass;
-
-            decay[i] = sum > 0.0 ? 1.0 - masses*time[i]/sum*(1.0 - decay[i]) : 1.0;
-        }
+        dem_clump_share_decay(c, p, time, decay, 1);
     }
 }

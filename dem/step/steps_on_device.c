@@ -167,7 +167,8 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
 
     *made = 0;
     /* some of what refusal.c names can begin after the device was opened */
-    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0 || state->applied_forces.program.add)
+    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0 ||
+        state->applied_forces.program.add)
     {
         return DEM_OK;
     }

@@ -218,8 +218,8 @@ static const double *body_axis(const struct dem_wall_body *b, int axis)
 {
     static const double unit[2][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
-    return b->rotation.axes == 3     ? unit[axis == 0]
-           : b->rotation.axes == 1   ? b->rotation.axis
+    return b->rotation.axes == 3            ? unit[axis == 0]
+           : b->rotation.axes == 1          ? b->rotation.axis
            : b->kind == DEM_WALL_BODY_HINGE ? b->axis[0]
                                             : NULL;
 }

@@ -1,8 +1,7 @@
 /*
  * wall_extent.h -- the extent along a coordinate axis that walls reach in their whole motion.
  *
- * Outside of its formula or table a motion is not followed: a wall moved by force, and a compound that rotates about
- * another axis, may come to any place.
+ * The extent is infinite for a wall moved by force, and for several motions with a rotation about another axis.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -99,7 +99,7 @@ static int check_primitive(const struct dem_domain *d, int axis, double radius,
             "are wrapped; move the wall away from the face%s, build it from triangles, or remove %c from "
             "domain/periodic",
             of->name, of->frame < 0 ? "" : ", in its motion,", radius, side ? "max" : "min", "xyz"[axis], face,
-            of->frame < 0 ? "" : ", give its motion an end (a stage before it atMost or duration)",
+            of->frame < 0 ? "" : ", give its motion an end (if that is a stage, atMost or duration to all stages before it)",
             "xyz"[axis]);
     }
     return DEM_OK;

@@ -14,9 +14,9 @@
 void dem_domain_make_walls_periodic(const struct dem_domain *, double reach, struct dem_walls *);
 
 /* DEM_ERROR_INPUT for a wall that comes nearer than a particle's radius [m] to a periodic face and
-   that has no images there, anywhere in its motion: a plane, cylinder or sphere that does not run straight through the face;
-   triangles that rotate about another axis; a surface that is longer than the period and does not
-   run straight through it. */
+   that has no images there, anywhere in its motion: a plane, cylinder or sphere that does not run
+   straight through the face; triangles that rotate about another axis; a surface that is longer than
+   the period and does not run straight through it. */
 int dem_domain_check_walls(const struct dem_domain *, const struct dem_walls *, double radius);
 
 #endif

@@ -58,7 +58,8 @@ void dem_wall_rotation_start(struct dem_wall_body *b)
     apply((const double (*)[3])b->rotation.tensor, b->rotation.spin, b->state.momentum);
     for (int k = 0; k < 3 && b->rotation.axes == 1; k++)
     {
-        b->state.momentum[k] = dem_vec_dot(b->rotation.spin, b->rotation.axis)*b->rotation.inertia[0]*b->rotation.axis[k];
+        b->state.momentum[k] =
+            dem_vec_dot(b->rotation.spin, b->rotation.axis)*b->rotation.inertia[0]*b->rotation.axis[k];
     }
 }
 

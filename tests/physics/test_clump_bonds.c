@@ -216,6 +216,7 @@ static double chain(double step)
     }
     TAP_OK(world_tally(d).bonds == 2 && world_tally(d).stored > 1e-3*start, "two rods and a sphere: 2 bonds, %.2g "
            "of the energy in them", world_tally(d).stored/start);
+    /* round-off of some 1e5 kicks; mass 3e-5 kg, speed 0.04 m/s, size 0.01 m */
     TAP_OK(off[0] < 1e-13*3e-5*0.04, "momentum is kept, to %.2g", off[0]/(3e-5*0.04));
     TAP_OK(off[1] < 1e-12*3e-5*0.04*0.01, "angular momentum is kept, to %.2g", off[1]/(3e-5*0.04*0.01));
     const double left = fabs(energy_term(d, "residual"))/start;

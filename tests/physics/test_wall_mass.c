@@ -80,7 +80,10 @@ static void is_named(int n, double up, double force, const char *words)
     TAP_OK(least > 0.0 && wanted(d, "") == 0.0, "%g kg are enough: no warning", least);
     dem_free(d);
     TAP_OK(!passes(n, up, 0.95*least, force), "0.95 of it ends the run");
-    TAP_OK(n > 1 || passes(n, up, 1.01*least, force), "and with it the run passes");
+    if (n == 1)    /* the pressed plate: only the failing side */
+    {
+        TAP_OK(passes(n, up, 1.01*least, force), "and with it the run passes");
+    }
 }
 
 int main(void)

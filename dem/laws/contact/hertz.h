@@ -23,6 +23,7 @@ DEM_MATH void dem_hertz_row(const struct dem_hertz *l, struct dem_contact_row *r
     r->fn += r->kn*r->overlap;
 }
 
+/* Elastic energy, 2/5 F_n d. */
 DEM_MATH void dem_hertz_energy_row(const struct dem_hertz *l, const struct dem_contact_row *r,
     const double *before, const double *after, struct dem_energy_row *e)
 {

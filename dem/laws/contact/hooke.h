@@ -30,6 +30,7 @@ DEM_MATH void dem_hooke_row(const struct dem_hooke *l, struct dem_contact_row *r
     dem_hooke_force_row(l, r, history);
 }
 
+/* Elastic energy, 1/2 F_n d; k is zero where the bodies are apart. */
 DEM_MATH void dem_hooke_energy_row(const struct dem_hooke *l, const struct dem_contact_row *r,
     const double *before, const double *after, struct dem_energy_row *e)
 {

@@ -101,7 +101,6 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define SETS DEM_SETS_FN | DEM_SETS_STORED | DEM_SETS_LOST
 #include "laws/contact_loop.h"
 
-/* act has stored the energy of the whole law; 2/5 F_n d of it is already counted by hertz */
 #define LAW dem_jkr
 #define COLUMNS dem_jkr_columns
 #include "laws/energy_loop.h"

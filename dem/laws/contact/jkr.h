@@ -73,6 +73,7 @@ DEM_MATH void dem_jkr_row(const struct dem_jkr *l, struct dem_contact_row *r, do
     adheres[0] = now;
 }
 
+/* The row has stored the energy of the whole law; hertz counts 2/5 F_n d of it already. */
 DEM_MATH void dem_jkr_energy_row(const struct dem_jkr *l, const struct dem_contact_row *r,
     const double *before, const double *after, struct dem_energy_row *e)
 {

@@ -31,7 +31,6 @@ static const struct dem_setting settings[] = {
 #define SETS DEM_SETS_FN
 #include "laws/contact_loop.h"
 
-/* energy needed to separate the surfaces; dissipated when a bond replaces the contact */
 #define LAW dem_sjkr
 #define COLUMNS 0
 #include "laws/energy_loop.h"

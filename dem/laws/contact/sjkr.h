@@ -21,6 +21,7 @@ DEM_MATH void dem_sjkr_row(const struct dem_sjkr *l, struct dem_contact_row *r, 
     r->fn -= scale*r->reduced_radius*dem_select(r->bond_replaces > 0.0, 0.0, r->overlap);
 }
 
+/* Energy needed to separate the surfaces; dissipated when a bond replaces the contact. */
 DEM_MATH void dem_sjkr_energy_row(const struct dem_sjkr *l, const struct dem_contact_row *r,
     const double *before, const double *after, struct dem_energy_row *e)
 {
