@@ -19,7 +19,7 @@
 
 enum
 {
-    DEM_SNAPSHOT_VERSION = 7,
+    DEM_SNAPSHOT_VERSION = 8,
     DEM_SNAPSHOT_NAME = 48,
     DEM_SNAPSHOT_NAMES = 128,    /* fixed, so that a new column does not change the layout */
     DEM_SNAPSHOT_RECORD = (int)(sizeof(struct dem_particle)/sizeof(double)),
