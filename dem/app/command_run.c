@@ -253,9 +253,8 @@ static void print_quiet(const struct dem_quiet *q, const struct dem_program *pro
 {
     if (q->wanted && prog->rank == 0)
     {
-        printf("%s at t %.6g s: %lld of %lld particles move%s\n", q->reached ? "quiet" : "not quiet",
-               t->time, (long long)q->move, (long long)t->particles,
-               q->awaits ? ", streams have more to insert" : "");
+        printf("%s at t %.6g s: %lld of %lld particles move\n", q->reached ? "quiet" : "not quiet",
+               t->time, (long long)q->move, (long long)t->particles);
     }
 }
 

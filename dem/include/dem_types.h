@@ -106,7 +106,6 @@ struct dem_quiet
     double tested;       /* s  time of the last test, with the momentum [kg m/s] then */
     double momentum[3];
     int64_t move;        /* particles that moved at the last test */
-    int awaits;          /* 1: a stream or group was still to insert particles at the last test */
     int reached;         /* 1: at rest for long enough */
 };
 

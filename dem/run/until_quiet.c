@@ -141,8 +141,7 @@ int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *
     const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
 
     q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
-    q->awaits = awaits_particles(d, t);
-    q->since = q->awaits || walls_move(d, q, t)
+    q->since = awaits_particles(d, t) || walls_move(d, q, t)
                        || (double)q->move > q->moving*(double)t->bodies || !balanced(q, t) ? INFINITY
              : isfinite(q->since) ? q->since
                                   : t->time;
