@@ -203,6 +203,7 @@ if cavity.is_dir():
     (case/control).rename(case/"system/controlDict.stock")
     case.copy("stock/cavity/controlDict", control)
     case.copy("stock/cavity/demProperties", scene)
+    case.copy("shared/system/decomposeParDict", "system/decomposeParDict")    # some versions have one of 9 ranks
     case.edit(control, endTime=0.01)
     case.run("blockMesh")
     case.run("decomposePar")
