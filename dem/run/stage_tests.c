@@ -9,8 +9,6 @@
  *
  * A coupled run tests at the end of each fluid step, which is one window.
  *
- * A stage of rest does not end while particles of a stream or group that has begun are missing.
- *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/internal.h"
@@ -80,22 +78,6 @@ static double next_end(struct dem *d)
 
 /* ---- tests ----------------------------------------------------------------------------------- */
 
-/* 1 while a stream or group that has begun still inserts. */
-static int inserts(const struct dem *d)
-{
-    const struct dem_streams *const plan = &d->scene.streams;
-    int any = 0;
-
-    for (int k = 0; k < plan->streams; k++)
-    {
-        const struct dem_stream *const s = &plan->stream[k];
-        const struct dem_snapshot_flow *const row = &d->state.flows->flow[k];
-        any |= s->start <= d->state.time && row->count < s->count && row->mass < s->mass
-            && (s->at_once || d->state.time < s->end);
-    }
-    return any;
-}
-
 static int rests(struct dem *d, struct dem_run_stage *s, int *ended)
 {
     struct dem_totals t;
@@ -103,8 +85,7 @@ static int rests(struct dem *d, struct dem_run_stage *s, int *ended)
     DEM_TRY(dem_totals(d, &t));
     d->state.limits.overlap = t.largest_overlap;    /* for the next call of the program */
     DEM_TRY(dem_quiet_test(d, &s->quiet, &t));
-    s->quiet.since = t.particles > 0 && !inserts(d) ? s->quiet.since : INFINITY;
-    *ended = s->quiet.reached && isfinite(s->quiet.since);
+    *ended = s->quiet.reached;
     return DEM_OK;
 }
 

@@ -12,9 +12,12 @@
  *      weight, |P - P'| <= imbalance M |g| (t - t'), with P the momentum. A soft tall bed swings:
  *      at the turning point all particles are slow at once, but their weight is not carried.
  *
+ *   3. no stream and no group is still to insert particles; with stages, none that has begun, and
+ *      there are particles.
+ *
  * A clump counts once, with its mass, in the mean, too.
  *
- * Both must hold for `lasting`. Its default is the longer of the fall by the height of the bed and
+ * All must hold for `lasting`. Its default is the longer of the fall by the height of the bed and
  * the period of its slowest elastic mode,
  *
  *     sqrt(2 H/|g|) max(1, 4 sqrt(o))                                                          [s]
@@ -33,7 +36,9 @@
 #include "records/totals.h"
 #include "input/dictionary.h"
 #include "ranks/collect.h"
+#include "sources/flows.h"
 #include <fenv.h>
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -109,6 +114,15 @@ static int walls_move(const struct dem *d, const struct dem_quiet *q, const stru
     return moves;
 }
 
+/* 1 while particles are still to come. */
+static int awaits_particles(const struct dem *d, const struct dem_totals *t)
+{
+    const int staged = d->scene.stages.n > 0;
+
+    return (staged && t->particles == 0)
+        || dem_flows_insert_by(&d->state, staged ? t->time : DBL_MAX);
+}
+
 int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *t)
 {
     const double n = t->bodies > 0 ? (double)t->bodies : 1.0;
@@ -127,7 +141,8 @@ int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *
     const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
 
     q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
-    q->since = walls_move(d, q, t) || (double)q->move > q->moving*(double)t->bodies || !balanced(q, t) ? INFINITY
+    q->since = awaits_particles(d, t) || walls_move(d, q, t)
+                       || (double)q->move > q->moving*(double)t->bodies || !balanced(q, t) ? INFINITY
              : isfinite(q->since) ? q->since
                                   : t->time;
     q->reached = t->time - q->since >= q->wait*(1.0 - 1e-9);

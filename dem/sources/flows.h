@@ -115,6 +115,9 @@ int dem_flows_due(const struct dem_state *);
    that have one. `step` seeds the random numbers. */
 int dem_flows_find_positions(struct dem_state *, int64_t step);
 
+/* 1 while a stream or a group with `at` that begins at this time [s] or before still inserts. */
+int dem_flows_insert_by(const struct dem_state *, double begun);
+
 /* Add the arrivals of this rank behind its owned particles, after the contact history has been
    saved. They have the velocity of their stream: within a window the caller kicks it backward by
    half a step. */

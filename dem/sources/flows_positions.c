@@ -55,6 +55,21 @@ static double next_mass(const struct dem_state *p, int k)
     return dem_stream_mass(s, &p->interaction_table, p->flows->flow[k].count);
 }
 
+int dem_flows_insert_by(const struct dem_state *p, double begun)
+{
+    const struct dem_streams *const plan = p->flows->plan;
+    int any = 0;
+
+    for (int k = 0; k < plan->streams; k++)
+    {
+        const struct dem_stream *const s = &plan->stream[k];
+
+        any |= s->start <= begun && is_within(s, &p->flows->flow[k], next_mass(p, k))
+            && (s->at_once || p->time < s->end);
+    }
+    return any;
+}
+
 /* particles or kg  due now and not yet inserted */
 static double amount_owed(const struct dem_state *p, int k)
 {

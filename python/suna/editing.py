@@ -69,9 +69,11 @@ class Editing(Arrays):
     def add_wall(self, name: str, material: str, triangles: ArrayLike) -> None:
         """Add a wall of triangles, n x 3 x 3 [m]. Collective."""
         corners = vectors("triangles", triangles, 3, 3)
-        names = text("name", name), text("material", material)
-        self._describe("add_wall", lambda c: check(lib.dem_case_add_wall(
-            c, *names, len(corners), ffi.cast("double *", corners.ctypes.data))))
+        path = "walls/" + text("name", name).decode(errors="surrogateescape")
+        text("material", material)
+        if self.names(path):
+            raise SunaError(f"the scene has a wall {name}; choose another name, or remove that one before")
+        self.change({path: {"type": "triangles", "material": material, "corners": corners.reshape(-1, 3)}})
 
     def allow_diameters(self, material: str, smallest: float, largest: float) -> None:
         """Particles of this material may get diameters between these [m] in `add`: time step and

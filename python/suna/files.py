@@ -123,7 +123,7 @@ RECORD = numpy.dtype([("position", "f8", 3), ("radius", "f8"), ("velocity", "f8"
                       ("inverse_mass", "f8"), ("spin", "f8", 3), ("inverse_inertia", "f8"),
                       ("mass", "f8"), ("id", "i8"), ("material", "u2"), ("flags", "u2"),
                       ("image", "u4"), ("body", "i8")])
-VERSION = 7    # DEM_SNAPSHOT_VERSION
+VERSION = 8    # DEM_SNAPSHOT_VERSION
 
 
 @reader

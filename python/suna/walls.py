@@ -26,6 +26,13 @@ class Wall:
                 return k
         raise SunaError(f"the simulation has no wall {self.name} any more")
 
+    def _entry(self):
+        """The path of its entry in the scene; a face of a box is one of its `faces`."""
+        box, face = self.name[:-4], self.name[-4:]
+        if not self._simulation.names(f"walls/{self.name}") and self._simulation.names(f"walls/{box}"):
+            return f"walls/{box}/faces/{face[0].lower()}{face[1:]}"
+        return f"walls/{self.name}"
+
     def _pair(self, call):
         one, other = ffi.new("double[3]"), ffi.new("double[3]")
         with self._simulation._set_up() as d:
@@ -63,16 +70,19 @@ class Wall:
     def motion(self) -> Mapping[str, Any]:
         """Its motion as a dict of texts, {} at rest. Set it to a dict of scene entries, or None; the wall
         goes on from where it stands. Collective."""
-        path = f"walls/{self.name}/motion"
+        path = self._entry() + "/motion"
         return {name: self._simulation.value(f"{path}/{name}") for name in self._simulation.names(path)}
 
     @motion.setter
     def motion(self, entries: Mapping[str, Any] | None) -> None:
         if entries or self.motion:
-            self._simulation.change({f"walls/{self.name}/motion": entries or None})
+            self._simulation.change({self._entry() + "/motion": entries or None})
 
     def remove(self) -> None:
         """Remove the wall. Collective."""
+        if self._entry() != f"walls/{self.name}":
+            raise SunaError(f"{self.name} is a face of a box, which has six; remove the box, "
+                            'change({"walls/BOX": None}), or describe the walls as planes')
         self._simulation.change({f"walls/{self.name}": None})
 
     def __repr__(self):

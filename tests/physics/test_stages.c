@@ -59,6 +59,45 @@ static void test_rest(void)
     dem_free(d);
 }
 
+/* A stream of 2.3 balls by mass ends after two, and rest is waited for from then on. */
+static void test_stream(void)
+{
+    const double ball = 2500.0*4.0/3.0*acos(-1.0)*pow(0.5e-3, 3.0);
+    struct dem *d;
+    char scene[1024];
+    struct dem_quiet quiet = {.wanted = 1, .kinetic = 1e-6, .moving = 0.01, .imbalance = 0.01};
+    struct dem_totals totals;
+
+    for (int staged = 0; staged < 2; staged++)
+    {
+        snprintf(scene, sizeof scene,
+                 GLASS "%s walls { " FLOOR "} } insert { feed { type stream; start %g; massRate %.17g; mass %.17g; "
+                 "diameter 1e-3; min (-0.005 -0.005 0.001); max (0.005 0.005 0.003); } } ",
+                 staged ? "stages { fill { until quiet; } after { duration 0.01; } }" : "",
+                 staged ? 0.0 : 0.05, 100.0*ball, 2.3*ball);
+        d = world(scene, 0, NULL);
+        double rest = 0.0;
+
+        for (int k = 0; k < 100 && !staged && !quiet.reached; k++)
+        {
+            world_run(d, 0.01);
+            WORLD_TRY(dem_totals(d, &totals));
+            WORLD_TRY(dem_quiet_test(d, &quiet, &totals));
+            rest = totals.time;
+        }
+        if (staged)
+        {
+            world_run(d, 0.5);
+            rest = begin_of(d, 1);
+        }
+        WORLD_TRY(dem_totals(d, &totals));
+        TAP_OK(totals.particles == 2 && rest > (staged ? 0.02 : 0.07) && rest < 0.4,
+               "%s waits for a stream of 2.3 balls: %lld balls rest at %.3g s", staged ? "a stage" : "untilQuiet",
+               (long long)totals.particles, rest);
+        dem_free(d);
+    }
+}
+
 /* A plane comes down on a column of three balls until it is pressed with 10 mN. */
 static void test_load(void)
 {
@@ -274,6 +313,7 @@ int main(void)
     world_make_file(file);
     test_durations();
     test_rest();
+    test_stream();
     test_load();
     test_gate();
     test_lid_that_comes();

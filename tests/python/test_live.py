@@ -307,7 +307,17 @@ def entries():
     assert list(sim.walls) == ["floor"] and len(sim) == 10
     sim.add_wall("lid", "glass", 0.01*numpy.eye(3))
     assert sorted(sim.walls) == ["floor", "lid"]
+    refused(lambda: sim.add_wall("lid", "glass", numpy.eye(3)), "has a wall lid")
+    sim.wall("lid").motion = {"type": "translation", "velocity": (0, 0, 2), "start": sim.time}
+    before = sim.wall("lid").corners
     sim.advance(1e-3)
+    assert abs(sim.wall("lid").corners - before - (0, 0, 2e-3)).max() < 1e-15
+    sim.wall("lid").remove()
+    assert list(sim.walls) == ["floor"]
+    sim.change({"walls/box": {"type": "box", "material": "glass", "min": (-1, -1, -1), "max": (1, 1, 1)}})
+    sim.wall("boxMaxZ").motion = {"type": "servo", "force": 1, "maxSpeed": 1, "start": sim.time}
+    assert sim.value("walls/box/faces/maxZ/motion/type") == "servo" and sim.wall("boxMaxZ").motion["force"] == "1"
+    refused(lambda: sim.wall("boxMaxZ").remove(), "face of a box")
 
 
 FREE = PHYSICS.replace("gravity { acceleration (0 0 -9.81); }", "").replace("-0.05 -0.05 -0.01", "-1 -1 -1").replace(
