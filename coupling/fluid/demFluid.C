@@ -8,9 +8,10 @@
 #include "demFiles.H"
 #include "demDict.H"
 #include "demDrivingForce.H"
-#include "demReconstruct.H"
 #include "fvcGrad.H"
 #include "fvcSnGrad.H"
+#include "extrapolatedCalculatedFvPatchFields.H"
+#include "fvcSurfaceIntegrate.H"
 #include "surfaceInterpolate.H"
 #include "surfaceFields.H"
 #include "uniformDimensionedFields.H"
@@ -102,7 +103,23 @@ Foam::tmp<Foam::volVectorField> Foam::demFluid::dynamicGradient
         gradient -= tcapillary();
     }
 
-    return demReconstruct(gradient);
+    // As fvc::reconstruct, but with names for both factors: it multiplies a tensor by a
+    // temporary vector, and a compiler may overwrite a component before it reads it
+    const volTensorField inverse(inv(fvc::surfaceSum(mesh_.Sf()*mesh_.Sf()/mesh_.magSf())));
+    const volVectorField sum(fvc::surfaceSum(mesh_.Sf()*gradient));
+    tmp<volVectorField> tresult
+    (
+        new volVectorField
+        (
+            IOobject("dynamicGradient", mesh_.time().timeName(), mesh_),
+            mesh_,
+            gradient.dimensions(),
+            extrapolatedCalculatedFvPatchVectorField::typeName
+        )
+    );
+    tresult.ref().primitiveFieldRef() = inverse.primitiveField() & sum.primitiveField();
+    tresult.ref().correctBoundaryConditions();
+    return tresult;
 }
 
 

@@ -20,6 +20,7 @@ from paraview.vtk.util.numpy_support import vtk_to_numpy
 # colours from the lower to the upper end of a scale: yellow to brown, and grey
 SPEED = [(0.98, 0.93, 0.70), (0.99, 0.60, 0.16), (0.40, 0.14, 0.02)]
 VOID = [(0.15, 0.15, 0.18), (0.95, 0.95, 0.95)]
+SIZE = (1400, 900)          # of a picture [pixel]
 
 
 class Stop(Exception):
@@ -141,8 +142,8 @@ def look(view, box, axis):
     view.ResetCamera()
 
 
-def show(folder):
-    """All views of a run, in a row."""
+def show(folder, size=None):
+    """All views of a run, in a row; of this size [pixel] together, or as large as the window."""
     particles, velocity, diameter, walls, mesh = open_run(folder)
     scene, last = simple.GetAnimationScene(), max(times_of(particles))
     scene.UpdateAnimationUsingDataTimeSteps()
@@ -171,6 +172,8 @@ def show(folder):
     label = simple.Show(clock, views[0])
     label.Color, label.FontSize = (0, 0, 0), 16
     scene.AnimationTime = last
+    if size:                    # before the cameras: they fit the box into the view
+        layout.SetSize(*size)
     for view in views:
         view.ViewTime = last
         look(view, box, axis)
@@ -183,10 +186,9 @@ def main():
     picture = next((word for word in words if word.endswith(".png")), None)
     folders = [word for word in words if word != picture]
     folder = Path(folders[0] if folders else os.environ.get("SUNA_RUN") or os.getcwd())
-    layout = show(folder)
+    layout = show(folder, SIZE if picture else None)
     if picture:
-        layout.SetSize(1400, 900)
-        simple.SaveScreenshot(picture, layout, ImageResolution=(1400, 900))
+        simple.SaveScreenshot(picture, layout, ImageResolution=SIZE)
         print(picture)
 
 

@@ -182,9 +182,13 @@ def draw_errors(errors, rows):
             worst = [100*max(map(float, row[-len(QUANTITIES):])) for row in own]
             errors.loglog([float(row[3]) for row in own], worst, mark, ms=6, color=colour,
                           mfc=colour if filled else "none", label=f"{code}, gas step {1e6*delta:g} µs")
+            before = None
             for row, error in zip(own, worst):
-                errors.annotate(row[1], (float(row[3]), error), (3, 4), textcoords="offset points", fontsize=8,
-                                rotation=45)
+                time = float(row[3])
+                left = before is not None and 0.9 < time/before < 1        # beside the number of the point before
+                errors.annotate(row[1], (time, error), (-1 if left else 3, 4), textcoords="offset points", fontsize=8,
+                                rotation=45, ha="right" if left else "left")
+                before = time
     errors.set(xlabel="processor time [s]", ylabel="largest error of four quantities [%]",
                title="error against the code's finest run (numbers: steps in a contact)")
     plain_ticks(errors.xaxis, (1, 2, 5, 10, 20, 50, 100))

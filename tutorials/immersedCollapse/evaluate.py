@@ -73,12 +73,13 @@ def draw(runs):
     for (name, run), colour in zip(runs.items(), (OURS, OTHER)):
         for axis, (time, values), points in zip(axes, (fronts(run), pressures(run)), (FRONTS, PRESSURES)):
             scale = 1e3 if axis is axes[0] else 1
-            axis.plot(time, scale*values, color=colour, label=name)
+            axis.plot(time, scale*values, color=colour, label=f"Suna, {name}")
             for at, value in points[name]:
-                axis.plot(at, scale*value, "o" if name == "loose" else "s", color=REFERENCE, mfc="none")
+                axis.plot(at, scale*value, "o" if name == "loose" else "s", color=REFERENCE, mfc="none", ls="",
+                          label=f"measured, {name}, Rondon et al. 2011")
     axes[0].set(xlabel="time [s]", ylabel="front [mm]")
     axes[1].set(xlabel="time [s]", ylabel="pore pressure [Pa]")
-    below(figure, axes[0])
+    below(figure)
     save(figure, HERE/"fronts.png")
 
 
@@ -86,13 +87,16 @@ def draw_side(runs):
     """Both columns at the start and at two later times; x and z in mm."""
     from style import OURS, panels, save
 
-    figure, axes = panels(3*len(runs), height=1.6, across=3)
+    figure, axes = panels(3*len(runs), width=10, height=1.9, across=3, sharex=True, sharey=True)
     for row, (name, run) in enumerate(runs.items()):
         times, places, _ = results.record(run)
         for axis, k in zip(axes[3*row:], (0, len(times)//3, len(times) - 1)):
             axis.plot(*(1e3*places[k][:, [0, 2]]).T, ".", color=OURS, ms=1)
             axis.set(title=f"{name}, {times[k]:.2g} s", xlim=(0, 100), ylim=(0, 55), aspect="equal")
             axis.grid(False)
+        axes[3*row].set_ylabel("z [mm]")
+    for axis in axes[-3:]:
+        axis.set_xlabel("x [mm]")
     save(figure, HERE/"collapse.png")
 
 

@@ -54,16 +54,18 @@ def draw(runs):
     from style import GREY, MEASURED, OTHER, OURS, below, panels, save
 
     times = [time for time in measured() if any(levels(run, time) for run in runs.values())]
-    figure, axes = panels(len(times), width=3.2*len(times), height=2.6, sharey=True)
+    figure, axes = panels(len(times), width=10, height=2.6, across=3, sharey=True)
     for axis, time in zip(axes, times):
-        axis.axvspan(*(1e3*x for x in BLOCK), color=GREY, alpha=0.15, lw=0)
-        axis.plot(*(1e3*measured()[time]).T, label="measured", **MEASURED)
+        axis.axvspan(*(1e3*x for x in BLOCK), color=GREY, alpha=0.15, lw=0, label="block of rock")
+        axis.plot(*(1e3*measured()[time]).T, label="measured, Lin 1998", **MEASURED)
         for (name, run), colour, style in zip(runs.items(), (OURS, OTHER, GREY), ("-", "--", "-.")):
             line = levels(run, time)
             if line:
-                axis.plot(*(1e3*values for values in line), style, color=colour, label=name)
+                axis.plot(*(1e3*values for values in line), style, color=colour,
+                          label="Suna" if name == "block" else f"Suna, {name}")
         axis.set(title=f"{time:g} s", xlabel="x [mm]", xlim=(0, 1e3*TANK), ylim=(0, 380))
-    axes[0].set_ylabel("level [mm]")
+    for axis in axes[::3]:
+        axis.set_ylabel("level [mm]")
     below(figure, axes[0], columns=5)
     save(figure, HERE/"levels.png")
 

@@ -77,8 +77,12 @@ def record(run):
 
 
 def field(path):
-    """The internal field of an ASCII file, or the list of a file without one (positions); one row an entry."""
+    """The internal field of an ASCII file, or the list of a file without one (positions); one row an entry, a single
+    row if it is uniform."""
     text = path.read_text()
+    uniform = re.search(r"internalField\s+uniform ([^;]*);", text)
+    if uniform:
+        return numpy.array([re.sub("[()]", " ", uniform[1]).split()], float)
     text = text[text.find("internalField"):] if "internalField" in text else text[text.index("}") + 1:]
     found = re.search(r"(\d+)\s*\((.*?)\n\)", text, re.S)
     numbers = numpy.array(re.sub("[()]", " ", found[2]).split(), float)

@@ -47,9 +47,9 @@ def view(axis, run, folder, diameter):
 
     places = numpy.round(1e3*results.field(run/"0/C")[:, [0, 2]], 6)
     points, column = numpy.unique(places, axis=0, return_inverse=True)
-    alpha = results.field(folder/"alpha.water")[:, 0]
+    alpha = numpy.resize(results.field(folder/"alpha.water")[:, 0], len(places))
     points, alpha = to_walls(points, numpy.bincount(column.ravel(), alpha)/numpy.bincount(column.ravel()))
-    if numpy.ptp(alpha) > 0.1:
+    if alpha.max() > 0.5:
         axis.tricontourf(*points.T, alpha, [0.5, 2], colors=REFERENCE, alpha=0.25)
     at = 1e3*grains(folder)
     axis.add_collection(PatchCollection([Circle((x, z), 500*diameter) for x, _, z in at[numpy.argsort(-at[:, 1])]],

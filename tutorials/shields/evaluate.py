@@ -78,10 +78,11 @@ def draw(all_rows):
     figure, (axis,) = panels(1)
     axis.axvspan(0.09, 0.15, color=REFERENCE, alpha=0.2, lw=0, label="measured threshold, 0.12 ± 0.03")
     for (name, rows), colour in zip(all_rows.items(), (OURS, OTHER)):
-        axis.plot(*rows[rows[:, 1] > 0].T, "o-", color=colour, label=name)
-    axis.axhline(LITTLE, color=GREY, lw=0.8)
-    axis.set(xlabel="Shields number", ylabel="flux of grains over U d", yscale="log", ylim=(1e-4, 3), xlim=(0, None))
-    below(figure)
+        axis.plot(*rows[rows[:, 1] > 0].T, "o-", color=colour, label=f"Suna, {name}")
+    axis.axhline(LITTLE, color=GREY, lw=0.8, label=f"flux at the threshold, {LITTLE:g} U d")
+    axis.set(xlabel="Shields number", ylabel="flux of grains over U d (U: Stokes' velocity)", yscale="log",
+             ylim=(1e-4, 3), xlim=(0, None))
+    below(figure, columns=1)
     save(figure, HERE/"shields.png")
 
 

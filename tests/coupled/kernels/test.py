@@ -54,11 +54,11 @@ for kernel in ("diffusion", "particleCentre") + ("gaussian", "divided", "linear"
     print(f"# {kernel}: largest ds/dt {rate:g}, {rate2:g} 1/s, largest jump of pressure {jump:g}, {jump2:g} m2/s2")
     if kernel == "particleCentre":                    # 36 spheres change cells together, in however short a step
         claim(f"cluster, {kernel}: ds/dt doubles, as this kernel is discontinuous", rate2 > 1.7*rate)
+        # without the voidage flux (coupling/averaged/voidageFlux.H) the jump of pressure is 1.04 m2/s2
+        claim(f"cluster, {kernel}: the voidage flux takes up 98 % of the jump of pressure", jump2 < 0.02*1.04)
     else:
         claim(f"cluster, {kernel}: ds/dt grows by less than 1.3 when the step is halved", rate2 < 1.3*rate)
-    # with particleCentre the voidage flux takes it up (coupling/averaged/voidageFlux.H): without it the jump of
-    # pressure grows threefold, to 1.04 m2/s2
-    claim(f"cluster, {kernel}: the jump of pressure grows by less than 1.3", jump2 < 1.3*jump)
+        claim(f"cluster, {kernel}: the jump of pressure grows by less than 1.3", jump2 < 1.3*jump)
 
 # ---- one random bed, frozen, on cells of 4, 2, 1 and 1/2 diameters ---------------------------------
 # A duct of 12 x 12 x 32 diameters, gas from below, filled from end to end, or from 8 to 24 diameters.
