@@ -47,6 +47,7 @@ static void pack
     const struct ::dem_view& v,
     const struct ::dem_view& folded,
     const double* address,
+    const point& corner,
     const size_t i,
     DynamicList<scalar>& to
 )
@@ -57,7 +58,12 @@ static void pack
     const double* w = dem_at(v.spin, v.stride, i);
 
     to.append(address[2*i + 1]);
-    for (int k = 0; k < 3; k++) to.append(x[k]);
+    for (int k = 0; k < 3; k++)
+    {
+        // Inside the mesh, where readers look for it; within a skin of a periodic face it may not be
+        const scalar L = v.period[k];
+        to.append(L > 0 ? x[k] - L*std::floor((x[k] - corner[k])/L) : x[k]);
+    }
     for (int k = 0; k < 3; k++) to.append(u[k]);
     for (int k = 0; k < 3; k++) to.append(w[k]);
     for (int k = 0; k < 3; k++) to.append(v.force[3*i + k]);
@@ -82,14 +88,15 @@ static List<scalar> distribute
     const labelUList& scalars,
     const struct ::dem_view& v,
     const struct ::dem_view& folded,
-    const double* address
+    const double* address,
+    const point& corner
 )
 {
     demRankBuffers out(Pstream::nProcs()), in(Pstream::nProcs());
 
     for (size_t i = 0; i < v.n; i++)
     {
-        pack(d, scalars, v, folded, address, i, out[label(address[2*i])]);
+        pack(d, scalars, v, folded, address, corner, i, out[label(address[2*i])]);
     }
     demExchangeBuffers(out, in);
 
@@ -225,7 +232,7 @@ void Foam::demWriter::write
 {
     const labelList scalars(writtenScalars(d));
     const label each = N_NUMBERS + scalars.size();
-    const List<scalar> all(distribute(d, scalars, view, folded, address));
+    const List<scalar> all(distribute(d, scalars, view, folded, address, mesh.bounds().min()));
 
     const auto one = [](const UList<scalar>& n, const label at)
     {
