@@ -11,7 +11,6 @@
 #include "demFluid.H"
 #include "demInteger.H"
 #include "demMeshCheck.H"
-#include "demOutletPatch.H"
 #include "demRegions.H"
 #include "demRotatingFrame.H"
 #include "demSlidingInterface.H"
@@ -22,10 +21,6 @@
 
 namespace Foam
 {
-
-// Fraction of a diameter; do not warn below it
-static const scalar slightOverlap = 1e-3;
-
 
 // Refuses interfaces and frames first: other checks would report their consequences,
 // such as periodic patches of a zone that slides
@@ -82,34 +77,6 @@ void Foam::demParticles::load()
 }
 
 
-// A snapshot made with other walls overlaps the walls of the mesh
-void Foam::demParticles::reportStart() const
-{
-    struct dem_start_overlap start;
-
-    dem_start_overlap(dem_, &start);
-    if (start.wall <= 0)
-    {
-        return;
-    }
-
-    Info<< "Suna: at the start overlap of at most " << start.wall
-        << " diameters with a wall (" << start.name << ", particle "
-        << demInteger(start.id).c_str() << " at ("
-        << start.position[0] << ' ' << start.position[1] << ' '
-        << start.position[2] << ") m) and " << start.particles
-        << " between particles" << endl;
-
-    if (start.wall > 2*start.particles && start.wall > slightOverlap)
-    {
-        WarningInFunction
-            << "The particles overlap a wall more than each other: they were"
-            << " settled in other walls, and the wall will throw them; settle"
-            << " them in the walls of the mesh by demPimpleFoam -settle" << endl;
-    }
-}
-
-
 // The width of the kernel must not change during a run: that would move volume.
 // It is set by the first particles, unless the user gives the diameter.
 void Foam::demParticles::setDiameter()
@@ -147,62 +114,6 @@ void Foam::demParticles::checkIds() const
             << " insert of constant/demProperties, or build with WM_LABEL_SIZE=64";
         throw demFailure(os.str());
     }
-}
-
-
-Foam::string Foam::demParticles::lostSentence
-(
-    const demParticleRouting::lostParticles& outside
-) const
-{
-    const string longer(window_ > 0 ? longStep(outside.velocity) : string::null);
-    const List<string> patch
-    (
-        demOutletPatch(mesh_).describe
-        (
-            pointField(1, outside.position), vectorField(1, outside.velocity)
-        )
-    );
-
-    OStringStream os;
-    os  << demInteger(outside.count).c_str() << " particle(s) outside the mesh, whose bounds are "
-        << boundBox(mesh_.points(), true) << "; the first is particle "
-        << demInteger(outside.id).c_str() << " at " << outside.position << " m, with "
-        << mag(outside.velocity) << " m/s"
-        << patch[0].c_str();
-
-    if (longer.empty())
-    {
-        os  << ". Start particles inside the mesh, make walls of all patches that"
-            << " particles must not pass, and let them leave through others by"
-            << " outlets { NAME { patch ...; } }";
-    }
-    else
-    {
-        os  << longer.c_str();
-    }
-    return os.str();
-}
-
-
-// End of a message on a particle of this velocity that is outside: empty if the step is
-// short enough
-Foam::string Foam::demParticles::longStep(const vector& velocity) const
-{
-    const scalar limit = maxCo();
-    const scalar Co = mag(velocity)*window_/transfer_.length();
-
-    if (Co <= limit)
-    {
-        return string::null;
-    }
-
-    OStringStream os;
-    os  << ". " << (interval_ > 0 ? "coupling/interval " : "deltaT ") << window_
-        << " s is long: Courant number of particles " << Co << ", above " << limit
-        << " (maxParticleCo); take " << window_*limit/Co << " s"
-        << (interval_ > 0 ? "" : ", or adjustTimeStep yes");
-    return os.str();
 }
 
 
@@ -249,24 +160,6 @@ void Foam::demParticles::setUp()
     refresh();
     reportStart();
     readTotals();
-}
-
-
-void Foam::demParticles::reportStep() const
-{
-    const struct dem_step_limit step = dem_step_limit(dem_);
-    Info<< "Suna: " << demInteger(totals_.particles).c_str() << " particles, " << nWalls_
-        << " walls; time step of the particles at most " << step.limit << " s: "
-        << step.why << endl;
-
-    if (needsFluid())
-    {
-        Info<< "Suna: fluid effects: " << dem_fluid_effect_names(dem_) << endl;
-    }
-    if (dem_device(dem_)[0])
-    {
-        Info<< "Suna: device: " << dem_device(dem_) << endl;
-    }
 }
 
 

@@ -7,10 +7,12 @@
 #include "step/clump_batch.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "particles/clump_lanes.h"
 #include "step/clump_energy.h"
 #include "step/clump_heat.h"
+#include <string.h>
 
-void dem_clump_batch_begin(struct dem_clump_flow *f, struct dem_body_workspace *work,
+void dem_clump_batch_begin(const struct dem_clump_flow *f, struct dem_body_workspace *work,
                            const struct dem_particles *p, size_t first, int rows, double over_window)
 {
     const double *const carried = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE);
@@ -19,18 +21,13 @@ void dem_clump_batch_begin(struct dem_clump_flow *f, struct dem_body_workspace *
     for (int c = 0; c < rows; c++)
     {
         const size_t i = first + (size_t)c;
-        const struct dem_clump *const body = dem_clump_of(p, i);
+        const struct dem_clump_part *const part = &f->part[i];
+        const struct dem_clump_form *const form = part->form;
 
-        if (!body)
+        if (!form)
         {
             continue;
         }
-        const struct dem_clump_form *const form = dem_clump_flow_form(f, p, i);
-        const double slip[3] = {b->ux[c] - b->vx[c], b->uy[c] - b->vy[c], b->uz[c] - b->vz[c]};
-        double along[3];
-
-        f->row[i] = (struct dem_clump_flow_row){.share = p->record[i].mass/body->mass};
-        f->row[i].surface = f->row[i].share/form->sphericity;
         for (size_t a = 0; a < 3; a++)
         {
             f->row[i].force[a] = over_window*carried[3*i + a];
@@ -38,14 +35,26 @@ void dem_clump_batch_begin(struct dem_clump_flow *f, struct dem_body_workspace *
         b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
         b->radius[c] = form->radius;
         b->volume[c] = form->volume;
-        b->mass[c] = body->mass;
+        b->mass[c] = part->mass;
         b->sphericity[c] = form->sphericity;
-        dem_clump_rotate_back(body->q, slip, along);
-        dem_clump_form_along(form, along, &b->crosswise[c], &b->lengthwise[c]);
+        if (form->areas)
+        {
+            const double slip[3] = {b->ux[c] - b->vx[c], b->uy[c] - b->vy[c], b->uz[c] - b->vz[c]},
+                         q[4] = {part->q[0], part->q[DEM_CLUMP_LANES], part->q[2*DEM_CLUMP_LANES],
+                                 part->q[3*DEM_CLUMP_LANES]};
+            double along[3];
+
+            dem_clump_rotate_back(q, slip, along);
+            dem_clump_form_along(form, along, &b->crosswise[c], &b->lengthwise[c]);
+        }
+        else
+        {
+            b->crosswise[c] = b->lengthwise[c] = 1.0;
+        }
     }
 }
 
-void dem_clump_batch_take(struct dem_clump_flow *f, struct dem_body_workspace *work,
+void dem_clump_batch_take(const struct dem_clump_flow *f, struct dem_body_workspace *work,
                           const struct dem_particles *p, size_t first, int rows)
 {
     struct dem_body_batch *const b = &work->batch;
@@ -58,9 +67,9 @@ void dem_clump_batch_take(struct dem_clump_flow *f, struct dem_body_workspace *w
     for (int c = 0; c < rows; c++)
     {
         struct dem_clump_flow_row *const r = &f->row[first + (size_t)c];
-        const double w = r->share;
+        const double w = f->part[first + (size_t)c].share;
 
-        if (!p->record[first + (size_t)c].body)
+        if (!f->part[first + (size_t)c].form)
         {
             continue;
         }
@@ -80,22 +89,27 @@ void dem_clump_batch_take(struct dem_clump_flow *f, struct dem_body_workspace *w
     }
 }
 
+void dem_clump_batch_contacts(const struct dem_clumps *c, const struct dem_contact_sum *sum, size_t first, int rows)
+{
+    _Static_assert(sizeof *sum == sizeof *c->contact, "clump.h has the numbers of a sum");
+    memcpy(c->contact + first, sum, (size_t)rows*sizeof *sum);
+}
+
 int dem_index_clumps(struct dem_state *state)
 {
     struct dem_clumps *const c = &state->clumps;
-    const size_t n = state->particles.n;
 
-    DEM_TRY(c->flow ? dem_clump_flow_reserve(c->flow, n) : DEM_OK);
+    DEM_TRY(dem_clumps_index(c, &state->particles));
+    DEM_TRY(c->flow ? dem_clump_flow_index(c->flow, c, &state->particles) : DEM_OK);
     DEM_TRY(c->flow && state->energy_balance->open
-                ? dem_clump_energy_reserve(c->flow, &state->interaction_table.bodies, n)
+                ? dem_clump_energy_reserve(c->flow, c, &state->interaction_table.bodies, state->particles.n)
                 : DEM_OK);
-    DEM_TRY(c->heat ? DEM_GROW(c->heat->row, c->heat->capacity, n + 1) : DEM_OK);
-    return dem_clumps_index(c, &state->particles);
+    return c->heat ? DEM_GROW(c->heat->row, c->heat->capacity, state->particles.n + 1) : DEM_OK;
 }
 
-int dem_kick_clumps(const struct dem_state *state, struct dem_particles *p, const struct dem_body_sweep *s)
+int dem_kick_clumps(struct dem_state *state, struct dem_particles *p, const struct dem_body_sweep *s)
 {
-    const struct dem_clumps *const c = &state->clumps;
+    struct dem_clumps *const c = &state->clumps;
     double gravity[3];
 
     if (c->flow && s->energy_balance)

@@ -79,7 +79,7 @@ static void kick_without_drag(struct dem_body_workspace *restrict work, double h
 
 /* The kick with drag, and the impulses that are passed to the fluid. */
 static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles *particles,
-                          struct dem_clump_flow *clumps, size_t first, int rows, double h)
+                          const struct dem_clump_flow *clumps, size_t first, int rows, double h)
 {
     const int reacts = dem_column(particles, DEM_COLUMN_OTHER_IMPULSE) != NULL;
 
@@ -212,12 +212,18 @@ static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int row
     if (pass->work == DEM_BODIES_KICK)
     {
         dem_body_batch_load_forces(&pass->workspace, pass->particles, first, rows);
-        return;
     }
-    dem_sum_slice(pass->particles, pass->sweep->contacts, &part);
-    if (pass->work == DEM_BODIES_SUM || !pass->unobserved)
+    else
     {
-        dem_sum_store(pass->particles, &part);
+        dem_sum_slice(pass->particles, pass->sweep->contacts, &part);
+        if (pass->work == DEM_BODIES_SUM || !pass->unobserved)
+        {
+            dem_sum_store(pass->particles, &part);
+        }
+    }
+    if (pass->sweep->bodies)
+    {
+        dem_clump_batch_contacts(pass->sweep->bodies, part.sum, first, rows);
     }
 }
 
@@ -279,7 +285,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
         dem_energy_balance_after_kick(s->energy_balance, particles, &k);
         if (s->clumps && s->kick > 0.0)
         {
-            dem_clump_energy_take(s->clumps, s->energy_balance, pass->bodies, particles, first, rows);
+            dem_clump_energy_take(s->clumps, s->energy_balance, pass->bodies, first, rows);
         }
     }
     if (pass->unobserved && s->round)

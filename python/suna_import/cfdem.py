@@ -7,12 +7,13 @@ The DEM script that couplingProperties names (twoWayMPIProps/liggghtsPath) goes 
 of LIGGGHTS; what it says of particles becomes constant/demProperties. Where it reads a restart
 file, the particles come from the script beside it that writes the file: its insertion becomes
 `insert`, and `demPimpleFoam -settle` lets them settle in the mesh's own walls for as long as that
-script runs.
+script runs. cfdemSolverMultiphase becomes demInterFoam (cfdem_two_fluids.py).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import re
 
+from . import cfdem_two_fluids
 from .cfdem_models import HEAT, add_equations, add_exchange, add_forces, add_kernel
 from .coupled_case import CoupledCase
 from .dem_script import read_dem_script
@@ -25,14 +26,13 @@ from .report import Place
 
 SOLVERS = ("cfdemSolverPiso", "cfdemSolverPimple", "cfdemSolverPimpleImEx",
            "cfdemSolverPimpleImExFace")
+TWO_FLUIDS = "cfdemSolverMultiphase"
 REFUSED_SOLVERS = {
     "cfdemSolverIB": "resolved particles (immersed boundary); Suna's particles are not larger "
                      "than cells",
     "cfdemSolverPisoScalar": HEAT,
     "cfdemSolverPisoSTM": HEAT,
     "cfdemSolverRhoPimple": "a compressible gas in a dense bed; demPimpleFoam is incompressible",
-    "cfdemSolverMultiphase": "two fluids with surface tension: set the case up for "
-                             "demInterFoam, docs/demInterFoam.md",
 }
 # word: {value: None (no effect) or the sentence why not}
 TOP = {
@@ -53,6 +53,7 @@ TOP = {
 FREE = {"turbulenceModelType": "constant/turbulenceProperties is read", "debug": "", "verbose": "",
         "ignore": "", "allowAdjustTimeStep":
         "adjustTimeStep of controlDict", "checkPeriodicCells": "",
+        "syncMode": "fluid and particles exchange in each fluid step",
         "imExSplitFactor": "the exchange is implicit", "depth": "", "solveScalarTransport": ""}
 HANDLED = ("modelType", "couplingInterval", "voidFractionModel", "smoothingModel", "forceModels",
            "momCoupleModels", "useDDTvoidfraction", "solveFlow", "FoamFile", "particleShapeType")
@@ -91,11 +92,15 @@ class CfdemCase(CoupledCase):
         self.read_script()
         number = add_equations(self.coupling, self.properties, self.report)
         add_kernel(self.coupling, self.dem.diameter, self.properties, self.report)
-        add_forces(self.coupling, number, self.properties, self.report)
+        if self.two_fluids and number != "II":
+            self.report.refuse(self.coupling.where("modelType"), "modelType",
+                               "other than A; demInterFoam has set II alone")
+        add_forces(self.coupling, number, self.properties, self.report, self.two_fluids)
         add_exchange(self.coupling, self.properties, self.report)
         self.read_interval()
         self.read_rest()
-        self.read_density()
+        if not self.two_fluids:
+            self.read_density()
         self.copy(without=INPUT + tuple(name + "_*" for name in INPUT))
         self.dem.add_particles(self.properties, self.target)
         for name, triangles in self.surfaces.items():
@@ -103,8 +108,9 @@ class CfdemCase(CoupledCase):
             write_stl(self.target/f"constant/triSurface/{name}.stl", triangles)
         self.write_fluid()
         self.write_changes()
-        settle = "demPimpleFoam -settle; " if self.dem.settle is not None else ""
-        self.write_properties(f"{self.top.name} (CFDEMcoupling)", f"blockMesh; {settle}demPimpleFoam")
+        solver = "demInterFoam" if self.two_fluids else "demPimpleFoam"
+        settle = f"{solver} -settle; " if self.dem.settle is not None else ""
+        self.write_properties(f"{self.top.name} (CFDEMcoupling)", f"blockMesh; {settle}{solver}")
 
     # ---- couplingProperties ----------------------------------------------------------------------
 
@@ -117,7 +123,8 @@ class CfdemCase(CoupledCase):
         for name in names:
             if name in REFUSED_SOLVERS:
                 self.report.refuse(place, name, REFUSED_SOLVERS[name])
-        if not any(name in SOLVERS for name in names):
+        self.two_fluids = TWO_FLUIDS in names
+        if not any(name in (*SOLVERS, TWO_FLUIDS) for name in names):
             self.report.approximated(place, f"application {names[0]}", "taken for "
                                      "cfdemSolverPiso, as no solver of CFDEMcoupling is named")
 
@@ -263,11 +270,14 @@ class CfdemCase(CoupledCase):
 
     def write_fluid(self):
         report = self.report
-        self.use_dem_pimple_foam()
-        velocity, pressure = self.field("U"), self.field("p")
-        if self.fix_pressure(velocity, pressure):
-            self.write_field("p", pressure, [f"// As CFD/{self.start}/p, with fixedFluxPressure "
-                                             "where the velocity is given."])
+        self.use_solver(two_fluids=self.two_fluids)
+        if self.two_fluids:
+            cfdem_two_fluids.prepare(self)
+        else:
+            velocity, pressure = self.field("U"), self.field("p")
+            if self.fix_pressure(velocity, pressure):
+                self.write_field("p", pressure, [f"// As CFD/{self.start}/p, with fixedFluxPressure "
+                                                 "where the velocity is given."])
         if "voidfraction" in self.fields:
             self.write_field("voidFraction", self.field("voidfraction"),
                              [f"// Boundary conditions of CFD/{self.start}/voidfraction."])

@@ -36,7 +36,7 @@ REFUSED_FORCES = {
     "ShirgaonkarIB": RESOLVED, "ArchimedesIB": RESOLVED, "IBTorque": RESOLVED,
     "noDrag": "it switches off the forces of the others; leave those out that are not wanted, and "
               "noDrag",
-    "surfaceTensionForce": "Suna has no surface tension on particles",
+    "surfaceTensionForce": "a force of cfdemSolverMultiphase",
     "DEMbasedDrag": "drag by a script of LIGGGHTS; name one of Suna's laws",
 }
 # settings of a force that do not change the answer, or not more than the exchange does
@@ -50,7 +50,7 @@ FREE = {
 }
 NAMES = {"velFieldName": "U", "velocityFieldName": "U", "voidfractionFieldName": "voidfraction",
          "granVelFieldName": "Us", "densityFieldName": "rho", "pFieldName": "p",
-         "gravityFieldName": "g"}
+         "gravityFieldName": "g", "stfFieldName": "surfaceTensionForce"}
 NUMBERS = {"scale": 1.0, "scaleDrag": 1.0, "scaleDragLocal": 1.0, "scaleTorque": 1.0, "phi": 1.0,
            "switchingVoidfraction": 0.8}
 SWITCHES = {
@@ -170,7 +170,7 @@ def smooth(d, model, diameter, report):
 
 # ---- forces --------------------------------------------------------------------------------------
 
-def add_forces(d, number, properties, report):
+def add_forces(d, number, properties, report, two_fluids=False):
     """Effects of forceModels; `number`: the set of equations."""
     place, names = d.where("forceModels"), [str(x) for x in d.list("forceModels")]
     drags = [name for name in names if name in DRAG]
@@ -182,6 +182,10 @@ def add_forces(d, number, properties, report):
         if name in DIAGNOSTICS:
             report.harmless(place, f"forceModels {name}", "no force; see docs/output.md for what "
                             "is written")
+        elif name == "surfaceTensionForce" and two_fluids:
+            report.translated(place, f"forceModels {name}", "pressureGradient, which is without the "
+                              "capillary jump: -V grad p + V sigma kappa grad alpha there")
+            settings(props, report)
         elif name not in FORCES:
             report.refuse(place, f"forceModels {name}", REFUSED_FORCES.get(
                 name, "Suna has no effect for it; docs/effects.md lists what there is"))
@@ -191,6 +195,9 @@ def add_forces(d, number, properties, report):
         properties.add("effects", "pressureGradient {}", place)
     lacks = [name for name in ("gradPForce", "Archimedes")
              if name not in names and not (name == "gradPForce" and number == "III")]
+    if two_fluids and "surfaceTensionForce" not in names:
+        report.approximated(place, "forceModels without surfaceTensionForce", "particles do not feel "
+                            "the capillary jump of the pressure, as with it")
     if lacks:
         report.approximated(place, f"forceModels without {' and '.join(lacks)}", "pressureGradient "
                             "acts, with buoyancy: the equations need it")
@@ -266,7 +273,8 @@ def add_exchange(d, properties, report):
         elif name not in ("off", "noCouple"):
             report.refuse(place, f"momCoupleModels {name}",
                           "known are implicitCouple, explicitCouple, off")
-    if d.word("useDDTvoidfraction", "off") == "off":
+    # without a value it is on
+    if as_text(d.tokens("useDDTvoidfraction", ["off"])) == "off":
         report.approximated(d.where("useDDTvoidfraction"), "useDDTvoidfraction off", "continuity "
                             "has the change of the void fraction, which is left out there")
     else:

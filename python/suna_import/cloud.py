@@ -247,7 +247,7 @@ class CloudCase(CoupledCase):
                             "demPimpleFoam: at the bottom lower by rho g h than there")
         if not self.coupled:
             self.properties.add("coupling", "twoWay no;")
-        self.use_dem_pimple_foam("U." + phase)
+        self.use_solver("U." + phase)
         self.rename_fields(phase)
         name = f"turbulenceProperties.{phase}"
         if self.has("constant/" + name):

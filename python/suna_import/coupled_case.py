@@ -6,7 +6,8 @@ file includes it and adds entries, which replace or are merged with the entries 
 are written anew, as OpenFOAM would read NAME.original beside them.
 
 demPimpleFoam needs of a case: the application; Euler in time; schemes of its terms; linear solvers
-of p and U; PIMPLE; fixedFluxPressure at fixed inlets (docs/demPimpleFoam.md).
+of p and U; PIMPLE; fixedFluxPressure at fixed inlets (docs/demPimpleFoam.md). demInterFoam needs the
+same with p_rgh (docs/demInterFoam.md).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -23,6 +24,7 @@ FIXED_VELOCITY = ("fixedValue", "uniformFixedValue", "flowRateInletVelocity", "c
                   "variableHeightFlowRate", "interstitialInletVelocity", "turbulentDFSEMInlet",
                   "cylindricalInletVelocity")
 FIELDS = {"U": ("volVectorField", "[0 1 -1 0 0 0 0]"), "p": ("volScalarField", "[0 2 -2 0 0 0 0]"),
+          "p_rgh": ("volScalarField", "[1 -1 -2 0 0 0 0]"),
           "voidFraction": ("volScalarField", "[0 0 0 0 0 0 0]")}
 # group of fvSchemes, name of demPimpleFoam's term, names for it elsewhere, scheme without one
 TERMS = (("gradSchemes", "grad(U)", (), "Gauss linear"),
@@ -32,7 +34,11 @@ TERMS = (("gradSchemes", "grad(U)", (), "Gauss linear"),
          ("laplacianSchemes", "laplacian(nuEff,U)", (), "Gauss linear corrected"),
          ("interpolationSchemes", "interpolate(inside)", (), "linear"),
          ("snGradSchemes", "snGrad(p)", (), "corrected"))
+TERMS_OF_TWO_FLUIDS = (("gradSchemes", "grad(U)", (), "Gauss linear"),
+                       ("divSchemes", "div(rhoPhi,U)", (), "Gauss linearUpwind grad(U)"),
+                       ("divSchemes", "div(phi,alpha)", (), "Gauss vanLeer"))
 SOLVERS = {"p": "solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0;",
+           "p_rgh": "solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0;",
            "U": "solver PBiCGStab; preconditioner DILU; tolerance 1e-8; relTol 0;"}
 
 
@@ -162,18 +168,18 @@ class CoupledCase:
             f"dimensions      {dimensions};\ninternalField   {inner};\n\n"
             "boundaryField\n{\n" + "\n".join(render(field.sub("boundaryField"), "    ")) + "\n}\n")
 
-    # ---- what demPimpleFoam needs ----------------------------------------------------------------
+    # ---- what the solvers need -------------------------------------------------------------------
 
-    def use_dem_pimple_foam(self, velocity="U"):
+    def use_solver(self, velocity="U", two_fluids=False):
         """Solver, schemes and linear solvers; `velocity` is the name of U in the source."""
         report, place = self.report, self.control.where("application")
-        report.translated(place, "application " + self.control.word("application", "none"),
-                          "demPimpleFoam")
-        self.change("system/controlDict", "application     demPimpleFoam;")
-        self.use_schemes(velocity)
-        self.use_solvers(velocity)
+        name = "demInterFoam" if two_fluids else "demPimpleFoam"
+        report.translated(place, "application " + self.control.word("application", "none"), name)
+        self.change("system/controlDict", f"application     {name};")
+        self.use_schemes(velocity, two_fluids)
+        self.use_solvers(velocity, "p_rgh" if two_fluids else "p")
 
-    def use_schemes(self, velocity):
+    def use_schemes(self, velocity, two_fluids):
         report, schemes = self.report, self.read("system/fvSchemes")
         time = schemes.sub("ddtSchemes")
         for entry in time.entries:
@@ -184,7 +190,7 @@ class CoupledCase:
             self.change("system/fvSchemes", "ddtSchemes",
                         "{", *(f"    {name} Euler;" for name in
                                {"default": 0, **{e.name: 0 for e in time.entries}}), "}")
-        for group, term, elsewhere, scheme in TERMS:
+        for group, term, elsewhere, scheme in TERMS_OF_TWO_FLUIDS if two_fluids else TERMS:
             d = schemes.sub(group)
             flux = f"alphaPhi{velocity[1:]}" if velocity != "U" else "phi"
             names = [name.replace("U", velocity).replace("phi", flux) for name in elsewhere]
@@ -199,16 +205,19 @@ class CoupledCase:
         self.use_default(schemes, "laplacianSchemes", "Gauss linear corrected")
         self.use_default(schemes, "interpolationSchemes", "linear")
         self.use_default(schemes, "gradSchemes", "Gauss linear")
+        if two_fluids:
+            self.use_default(schemes, "divSchemes", "Gauss linear")
+            self.use_default(schemes, "snGradSchemes", "corrected")
 
     def use_default(self, schemes, group, scheme):
         """Where the group has no default."""
         if schemes.sub(group).word("default", "none") == "none":
             self.change("system/fvSchemes", f"{group} {{ default {scheme}; }}")
 
-    def use_solvers(self, velocity):
+    def use_solvers(self, velocity, pressure):
         report, solution = self.report, self.read("system/fvSolution")
         solvers = solution.sub("solvers")
-        for name, elsewhere in (("p", "p"), ("U", velocity)):
+        for name, elsewhere in ((pressure, pressure), ("U", velocity)):
             for end in ("", "Final"):
                 if name + end in solvers:
                     continue

@@ -243,7 +243,7 @@ class DemScript:
             properties.add("time", f"end {text(self.settle)}; untilQuiet {{ kinetic 1e-4; "
                                    f"}}", place)
             self.report.approximated(place, "read_restart",
-                                     "demPimpleFoam -settle lets the inserted particles "
+                                     "-settle of the solver lets the inserted particles "
                                      f"settle in the mesh, for at most {self.settle:g} s")
 
     def add_placed(self, properties, folder, frozen):

@@ -149,9 +149,9 @@ def write_case(folder, files):
     for name, text in files.items():
         path = folder/name
         path.parent.mkdir(parents=True, exist_ok=True)
-        kind = {"U.air": "volVectorField", "U": "volVectorField", "p": "volScalarField",
-                "voidfraction": "volScalarField", "rho": "volScalarField", "positions": "vectorField",
-                "g": "uniformDimensionedVectorField"}.get(path.name, "dictionary")
+        kind = {"U.air": "volVectorField", "U": "volVectorField", "positions": "vectorField",
+                "g": "uniformDimensionedVectorField"}.get(
+                    path.name, "volScalarField" if path.parent.name == "0" else "dictionary")
         path.write_text(text if name.startswith("DEM") else HEAD % (kind, path.name) + text)
 
 
@@ -747,6 +747,50 @@ def exchange():
             "CFD/0/rho", 2, "one density")
 
 
+TWO_FLUIDS = {
+    "CFD/constant/transportProperties": "phases ( oil { transportModel Newtonian; nu nu [0 2 -1 0 0 0 0] 1e-5; "
+                                        "rho rho [1 -3 0 0 0 0 0] 900; } air { transportModel Newtonian; "
+                                        "nu 1.5e-5; rho 1.2; } );\nsigmas ( (air oil) 0.03 );\n",
+    "CFD/0/alpha.oil": "dimensions []; internalField uniform 1;\n"
+                       'boundaryField { ".*" { type zeroGradient; } }\n',
+    "CFD/0/alpha.air": "dimensions []; internalField uniform 0;\n"
+                       'boundaryField { ".*" { type zeroGradient; } }\n',
+    "CFD/0/p_rgh": "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0;\nboundaryField { inlet { type "
+                   "zeroGradient; } sides { type zeroGradient; } outlet { type fixedValue; value uniform 0; } }\n",
+}
+
+
+def two_fluids_case(**more):
+    return cfdem_case(files={**TWO_FLUIDS, **more.pop("files", {})},
+                      control={"cfdemSolverPiso": "cfdemSolverMultiphase"}, **more)
+
+
+def two_fluids():
+    """cfdemSolverMultiphase becomes demInterFoam: phases, sigma, alpha and walls"""
+    result = two_fluids_case(coupling={"    KochHillDrag": "KochHillDrag surfaceTensionForce"})
+    fluids = read_dictionary(WORK/"result/constant/transportProperties", "transportProperties", Report())
+    assert [str(x) for x in fluids.list("phases")] == ["oil", "air"] and fluids.number("sigma") == 0.03
+    assert (fluids.sub("oil").number("rho"), fluids.sub("oil").number("nu")) == (900, 1e-5)
+    assert len(fluids.sub("oil").tokens("nu")) == 1
+    control = read_dictionary(WORK/"result/system/controlDict", "controlDict", Report())
+    assert control.word("application") == "demInterFoam"
+    pressure = read_dictionary(WORK/"result/0/p_rgh", "p_rgh", Report()).sub("boundaryField")
+    assert [pressure.sub(name).word("type") for name in ("inlet", "sides", "outlet")] == [
+        "fixedFluxPressure", "fixedFluxPressure", "fixedValue"]
+    left = {path.name for path in (WORK/"result/0").iterdir()}
+    assert "alpha.oil" in left and "alpha.air" not in left
+    assert "rho" not in result.d.sub("coupling") and "pressureGradient" in result.d.sub("effects")
+    assert not result.has(APPROXIMATED, "capillary") and two_fluids_case().has(APPROXIMATED, "capillary")
+    name = "CFD/constant/transportProperties"
+    for change, line, word in (({"air {": "gas {"}, 3, "no surface tension"), ({"rho 1.2;": ""}, 2, "rho"),
+                               ({"1.2; }": "1.2; } water { rho 1000; }"}, 2, "two")):
+        refused(lambda: two_fluids_case(files={name: changed(TWO_FLUIDS[name], change)}), name, line, word)
+    refused(lambda: two_fluids_case(files={"CFD/0/alpha.oil": changed(TWO_FLUIDS["CFD/0/alpha.oil"], {
+        "zeroGradient": "alphaContactAngle"})}), "CFD/0/alpha.oil", 3, "constantAlphaContactAngle")
+    refuses("modelType", "set II", files=TWO_FLUIDS, control={"cfdemSolverPiso": "cfdemSolverMultiphase"},
+            coupling={"modelType A": "modelType B"})
+
+
 def walls():
     """walls of the script act once: patches stand for those on the mesh's boundary"""
     result = cfdem_case()
@@ -845,13 +889,15 @@ def settled():
 
 
 def cfdem_runs():
-    """the translated case of CFDEMcoupling runs"""
+    """the translated cases of CFDEMcoupling run"""
     cfdem_case()
     run(["demPimpleFoam"])
+    two_fluids_case()
+    run(["demInterFoam"])
 
 
 TESTS = [syntax, meshes, dpm, restitution, forces, contacts, patches, injections, distributions,
-         not_dem, uncoupled, cfdem_words, equations, kernels, cfdem_forces, exchange, walls, surfaces, units,
+         not_dem, uncoupled, cfdem_words, equations, kernels, cfdem_forces, exchange, two_fluids, walls, surfaces, units,
          settled]
 RUNS = [cloud_runs, cfdem_runs]
 

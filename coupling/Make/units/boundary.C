@@ -4,3 +4,4 @@
 #include "boundary/demOutletPatch.C"
 #include "boundary/demPatchTriangles.C"
 #include "boundary/demInletsOutlets.C"
+#include "boundary/demInletsOutletsJudge.C"

@@ -5,4 +5,5 @@
 #include "locate/demSlidingInterface.C"
 #include "locate/demParticleRouting.C"
 #include "locate/demParticleRoutingQuery.C"
+#include "locate/demParticleRoutingMap.C"
 #include "locate/demWedge.C"

@@ -4,6 +4,8 @@
   Stokes with the density and viscosity of that fluid.
 - One of 0.9 times the liquid's density floats: as Archimedes says with the kernel `divided`, at the depth of the
   kernel's mean density with `diffusion`.
+- Steel balls hit the floor under oil and the ceiling in air above it: they rebound by the Stokes number with viscosity
+  and added mass of the fluid around each, as in the first set-up of Gondret et al. (tutorials/rebound).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -63,4 +65,34 @@ for kernel, depth, width in (("divided", archimedes, d), ("diffusion; width 3", 
     claim(f"floating, {kernel}: it rests (1e-5 m/s)", abs(w) < 1e-5, w)
     claim(f"floating, {kernel}: its centre is {depth*1e3:.3f} mm below the surface (1 % of the kernel's width)",
           abs(0.12 - z - depth) < 0.01*width, 0.12 - z, depth)
+
+# ---- rebound ----------------------------------------------------------------------------------------
+
+d, steel, speed, oil, air = 6e-3, 7800, 0.518135, (965, 0.1), (1.2, 1.8e-5)
+
+
+def restitution(mu, added):
+    """0.97 exp(-35/St), St = (rho_p + added) d v/(9 mu) (Legendre et al. 2006)."""
+    return 0.97*math.exp(-35*9*mu/((steel + added)*d*speed))
+
+
+for name, entries, effects, added in (("without added mass", "", "", (0, 0)),
+                                      ("with virtualMass", "", "virtualMass {}", (oil[0]/2, air[0]/2)),
+                                      ("with a density of its own", "fluidDensity 965;", "", (oil[0]/2, oil[0]/2))):
+    case = TwoFluids("rebound-" + name.replace(" ", "-"))
+    case.controls(3e-3, 1e-3)
+    case.fluids(oil, air, gravity="(0 0 0)")
+    case.box((0.06, 0.06, 0.12), (6, 6, 12), walls)
+    case.fields(walls)
+    case.alpha(lambda x: x[:, 2] < 0.06)
+    case.grains("steel { density 7800; youngsModulus 1e9; }",
+                f"hertz {{}} stokesDamping {{ restitution 0.97; {entries} }} {effects}",
+                f"""down {{ type list; diameter {d}; positions ((0.0271 0.0323 3.1e-3)); velocity (0 0 {-speed}); }}
+                    up {{ type list; diameter {d}; positions ((0.0271 0.0323 0.1169)); velocity (0 0 {speed}); }}""",
+                "twoWay no;", "time { step 2e-7; }")
+    claim_runs(f"rebound {name}: runs", case, "demInterFoam")
+    velocities = case.field(case.times()[-1] + "/lagrangian/particles/U")[:, 2]
+    for fluid, e, law in zip(("oil", "air"), sorted(abs(velocities)/speed),
+                             (restitution(oil[1], added[0]), restitution(air[1], added[1]))):
+        claim(f"rebound {name}: e in {fluid} is {law:.4f} (0.2 %)", close(e, law, 2e-3), e, law)
 finish()

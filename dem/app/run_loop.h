@@ -1,0 +1,16 @@
+/*
+ * run_loop.h -- the loop of `dem run`, from output to output.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef DEM_APP_RUN_LOOP_H
+#define DEM_APP_RUN_LOOP_H
+
+#include "app/main.h"
+#include "app/scene_options.h"
+
+/* Advance to the end of the schedule, or until the particles rest, the stages are over or a signal
+   stops the run; write all output and print what the run has to say at its end. */
+int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s);
+
+#endif
