@@ -51,8 +51,14 @@ struct dem_clumps
     size_t n;                    /* bodies */
     size_t *start;               /* of each in the next array, and the end */
     uint32_t *member;            /* particles in the order of their ids */
-    double (*arm)[3];            /* m  R r_k of each, as the drift left it */
-    size_t start_capacity, member_capacity, arm_capacity;
+    double (*contact)[8];        /* N, N m  force and torque of the contacts of each particle, 3 + 1 numbers each */
+    uint32_t *place;             /* of each body: group times DEM_CLUMP_LANES, plus lane */
+    size_t groups;               /* of bodies that move side by side */
+    struct dem_clump_group *group;
+    struct dem_clump_slot *slot;
+    int ahead;                   /* 1: the groups have moved, and the columns have not followed */
+    double max_spin_square;      /* 1/s2  largest |w|^2 after the last drift */
+    size_t start_capacity, member_capacity, contact_capacity, place_capacity, group_capacity, slot_capacity;
     struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
     struct dem_clump_heat *heat; /* NULL: they have no temperature; step/clump_heat.h */
 };
@@ -112,17 +118,21 @@ void dem_particle_share(const struct dem_particles *, size_t particle, struct de
 /* The largest distance [m] of a sphere from the centre of its body, on this rank. */
 double dem_clumps_reach(const struct dem_particles *);
 
-/* Bodies that turn side by side, clump_turn.c. */
-#define DEM_CLUMP_LANES 8
-
-/* Free rotation over dt [s]; of up to DEM_CLUMP_LANES bodies, with the mean of the spins at both ends [1/s]. */
+/* Free rotation over dt [s]. */
 void dem_clump_turn(struct dem_clump *, double dt);
-void dem_clump_turn_several(struct dem_clump *const *body, int n, double dt, double mean_spin[][3]);
 
 void dem_clumps_free(struct dem_clumps *);
 
-/* List the spheres of the bodies, after the order of particles has changed. */
+/* List the spheres of the bodies and load their state, after particles or their order have changed. */
 int dem_clumps_index(struct dem_clumps *, const struct dem_particles *);
+
+/* The state of the bodies from the columns, and back where it has moved since. */
+void dem_clumps_load(struct dem_clumps *, const struct dem_particles *);
+void dem_clumps_store(struct dem_clumps *, struct dem_particles *);
+
+/* The present state of a body, as of its first sphere; R r_k of its sphere k. */
+void dem_clumps_body(const struct dem_clumps *, size_t body, const struct dem_particles *, struct dem_clump *);
+void dem_clumps_arm(const struct dem_clumps *, size_t body, size_t k, double arm[3]);
 
 /* 1 when no force moves the body: it is frozen. */
 static inline int dem_clumps_frozen(const struct dem_clumps *c, size_t body, const struct dem_particles *p)
@@ -135,20 +145,13 @@ void dem_clump_put(const struct dem_clump *, const struct dem_domain *, struct d
 
 /* Before the drift of particles over dt: move the bodies; set the velocities and spins with which
    their spheres drift to their places. */
-void dem_clumps_drift(const struct dem_clumps *, struct dem_particles *, const struct dem_domain *,
-                      double dt);
+void dem_clumps_drift(struct dem_clumps *, struct dem_particles *, const struct dem_domain *, double dt);
 
 /* After the kick of particles over h [s], which leaves no valid velocities of these spheres: the same
-   for bodies, with the contact forces in the columns and gravity g [m/s2]. */
-void dem_clumps_kick(const struct dem_clumps *, struct dem_particles *, const double g[3], double h);
+   for bodies, with the contact forces in `contact` and gravity g [m/s2]. */
+void dem_clumps_kick(struct dem_clumps *, struct dem_particles *, const double g[3], double h);
 
-/* Its parts: add force and moment about the centre of the contacts of a body; write its new motion to
-   its spheres. */
-void dem_clump_contact_sums(const struct dem_clumps *, size_t body, const struct dem_particles *, double F[3],
-                            double T[3]);
-void dem_clump_spread(const struct dem_clumps *, size_t body, struct dem_particles *);
-
-/* The same for a sphere of a body that touches nothing, and its body. */
+/* The same for a new sphere of a body that touches nothing, and its body, in the columns. */
 void dem_clump_fall(struct dem_particles *, size_t i, const double g[3], double h);
 
 /* Wrap the centre of the body of a particle along periodic axes. */

@@ -33,16 +33,28 @@
 #include "particles/clump.h"
 #include "particles/clump_form.h"
 
-/* what the fluid does to a sphere of a body in this kick, by its share */
+/* what the fluid does to a sphere of a body in this kick, by its share; in fours, for vector registers */
 struct dem_clump_flow_row
 {
-    double share;                     /* 1 */
-    double surface;                   /* 1  share times the surface of the body over the surface of the sphere of its
+    _Alignas(64) double force[3];         /* N  f_k */
+    double drag;                          /* kg/s  b_k */
+    double slip_force[3], particle_drag;  /* N, kg/s  d_k; b_k without the slip factor */
+};
+struct dem_clump_flow_rest                /* 0 where no law has it */
+{
+    _Alignas(64) double reaction[3];      /* N  part of f_k whose opposite acts on the fluid */
+    double spin_drag;                     /* kg m2/s  t_k */
+    double spin_torque[3], spare;         /* N m */
+};
+
+struct dem_clump_part                 /* a sphere of a body: what stays the same */
+{
+    const struct dem_clump_form *form;    /* NULL: a single sphere */
+    int which;                        /* its number; -1 */
+    double share, mass;               /* 1, kg  w_k; M */
+    double surface;                   /* 1  w_k times the surface of the body over the surface of the sphere of its
                                             volume, A/(pi d^2) */
-    double drag, particle_drag;       /* kg/s  b_k; without the slip factor */
-    double slip_force[3];             /* N  d_k */
-    double force[3], reaction[3];     /* N  f_k; part of it whose opposite acts on the fluid */
-    double spin_drag, spin_torque[3]; /* kg m2/s  t_k; N m */
+    const double *q;                  /* R of the body */
 };
 
 struct dem_clump_flow
@@ -50,38 +62,33 @@ struct dem_clump_flow
     const struct dem_clump_shapes *shapes;
     struct dem_clump_form *form;      /* of each shape */
     struct dem_clump_flow_row *row;   /* of each particle, valid for bodies in a kick */
-    size_t capacity;
+    struct dem_clump_flow_rest *rest; /* likewise */
+    struct dem_clump_part *part;      /* of each particle */
+    size_t capacity, rest_capacity, part_capacity;
     double *own, *before;             /* for the energy balance, step/clump_energy.c */
-    size_t own_capacity, before_capacity;
+    struct dem_clump_flow_sums *sums; /* likewise: in the last kick, of bodies by their place; NULL: not kept */
+    size_t own_capacity, before_capacity, sums_capacity;
 };
 
 struct dem_clump_flow_sums            /* over the spheres of a body */
 {
     double force[3], torque[3];       /* N, N m  F; T and all moments */
     double slip_force[3];             /* N  D */
-    double drag, spin_drag;           /* kg/s, kg m2/s  B; of z_r */
-    double z, phi, phi_spin;          /* 1 */
-    int moves;                        /* 0: frozen, as of infinite inertia */
+    double drag;                      /* kg/s  B */
+    double phi, phi_spin;             /* 1  phi(z), phi(z_r) */
 };
 
 /* `areas` 1: a law takes projected areas. To be freed also after a failure. */
 int dem_clump_flow_begin(struct dem_clump_flow *, const struct dem_clump_shapes *, int areas);
 void dem_clump_flow_free(struct dem_clump_flow *);
 
-/* Rows for n particles. */
-int dem_clump_flow_reserve(struct dem_clump_flow *, size_t n);
-
-/* The form of the body that a particle belongs to. */
-const struct dem_clump_form *dem_clump_flow_form(const struct dem_clump_flow *,
-                                                 const struct dem_particles *, size_t i);
+/* After dem_clumps_index: rows of the particles, and what stays the same. */
+int dem_clump_flow_index(struct dem_clump_flow *, const struct dem_clumps *, const struct dem_particles *);
 
 /* dem_clumps_kick in a fluid: the bodies by their rows, and the columns of impulses on the fluid. */
-void dem_clump_flow_kick(const struct dem_clump_flow *, const struct dem_clumps *,
-                         struct dem_particles *, double h);
+void dem_clump_flow_kick(struct dem_clump_flow *, struct dem_clumps *, struct dem_particles *, double h);
 
-/* Its parts: the sums in a kick over h [s]; J_k of a sphere. */
-void dem_clump_flow_sum(const struct dem_clump_flow *, const struct dem_clumps *, size_t body,
-                        const struct dem_particles *, double h, struct dem_clump_flow_sums *);
+/* J_k of a sphere. */
 void dem_clump_flow_drag(const struct dem_clump_flow_row *, const struct dem_clump_flow_sums *, double h,
                          double J[3]);
 

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "particles/clump_lanes.h"
 #include <string.h>
 
 struct motion    /* of a body in a kick */
@@ -17,8 +18,10 @@ struct motion    /* of a body in a kick */
     double spun[3];       /* N m s  S */
 };
 
-int dem_clump_energy_reserve(struct dem_clump_flow *f, const struct dem_effect_list *bodies, size_t n)
+int dem_clump_energy_reserve(struct dem_clump_flow *f, const struct dem_clumps *c,
+                             const struct dem_effect_list *bodies, size_t n)
 {
+    DEM_TRY(DEM_GROW(f->sums, f->sums_capacity, c->groups*DEM_CLUMP_LANES + 1));
     DEM_TRY(DEM_GROW(f->own, f->own_capacity, 3*n*(size_t)bodies->entries + 1));
     return DEM_GROW(f->before, f->before_capacity, 6*n + 1);
 }
@@ -29,19 +32,18 @@ static double *own_force(const struct dem_clump_flow *f, const struct dem_effect
     return f->own + 3*(i*(size_t)bodies->entries + (size_t)e);
 }
 
-void dem_clump_energy_take(struct dem_clump_flow *f, const struct dem_energy_balance *l,
-                           const struct dem_effect_list *bodies, const struct dem_particles *p, size_t first,
-                           int rows)
+void dem_clump_energy_take(const struct dem_clump_flow *f, const struct dem_energy_balance *l,
+                           const struct dem_effect_list *bodies, size_t first, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
         const size_t i = first + (size_t)c;
 
-        for (int e = 0; e < bodies->entries && p->record[i].body; e++)
+        for (int e = 0; e < bodies->entries && f->part[i].form; e++)
         {
             for (int a = 0; a < 3; a++)
             {
-                own_force(f, bodies, i, e)[a] = f->row[i].share*l->scratch->own[e][a][c];
+                own_force(f, bodies, i, e)[a] = f->part[i].share*l->scratch->own[e][a][c];
             }
         }
     }
@@ -51,10 +53,11 @@ void dem_clump_energy_before(const struct dem_clumps *c, const struct dem_partic
 {
     for (size_t body = 0; body < c->n; body++)
     {
-        const struct dem_clump *const b = dem_clump_at(p, c->member[c->start[body]]);
+        struct dem_clump b;
 
-        memcpy(c->flow->before + 6*body, b->v, sizeof b->v);
-        memcpy(c->flow->before + 6*body + 3, b->momentum, sizeof b->momentum);
+        dem_clumps_body(c, body, p, &b);
+        memcpy(c->flow->before + 6*body, b.v, sizeof b.v);
+        memcpy(c->flow->before + 6*body + 3, b.momentum, sizeof b.momentum);
     }
 }
 
@@ -62,20 +65,22 @@ static void find_motion(const struct dem_clumps *c, size_t body, const struct de
                         struct motion *m)
 {
     const double *const before = c->flow->before + 6*body;
-    struct dem_clump mean = *dem_clump_at(p, c->member[c->start[body]]);
+    struct dem_clump mean;
     double slip[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};    /* N m  moments of d_k, t_k (o_k - w) */
 
-    dem_clump_flow_sum(c->flow, c, body, p, h, &m->sums);
+    dem_clumps_body(c, body, p, &mean);
+    m->sums = c->flow->sums[c->place[body]];
     for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
     {
         const struct dem_clump_flow_row *const r = &c->flow->row[c->member[k]];
-        double moment[3];
+        double arm[3], moment[3];
 
-        dem_vec_cross(c->arm[k], r->slip_force, moment);
+        dem_clumps_arm(c, body, k - c->start[body], arm);
+        dem_vec_cross(arm, r->slip_force, moment);
         for (int a = 0; a < 3; a++)
         {
             slip[a] += moment[a];
-            spin[a] += r->spin_torque[a];
+            spin[a] += c->flow->rest[c->member[k]].spin_torque[a];
         }
     }
     for (int a = 0; a < 3; a++)
@@ -88,11 +93,12 @@ static void find_motion(const struct dem_clumps *c, size_t body, const struct de
     dem_clump_spin(&mean, m->w);
 }
 
-/* v_k of the sphere at R r_k from the centre. */
-static void velocity_of(const struct motion *m, const double arm[3], double v[3])
+/* v_k of entry k of c->member. */
+static void velocity_of(const struct motion *m, const struct dem_clumps *c, size_t body, size_t k, double v[3])
 {
-    double turning[3];
+    double turning[3], arm[3];
 
+    dem_clumps_arm(c, body, k - c->start[body], arm);
     dem_vec_cross(m->w, arm, turning);
     for (int a = 0; a < 3; a++)
     {
@@ -112,7 +118,7 @@ static void add_drag(struct dem_sum *sum, const struct motion *m, const struct d
         double J[3], v[3];
 
         dem_clump_flow_drag(&c->flow->row[i], &m->sums, h, J);
-        velocity_of(m, c->arm[k], v);
+        velocity_of(m, c, body, k, v);
         kept += dem_vec_dot(J, m->v);
         work += dem_vec_dot(J, dem_column(p, DEM_COLUMN_FLUID_VELOCITY) + 3*i);
         carried += window > 0.0
@@ -145,7 +151,7 @@ void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effec
             {
                 double v[3];
 
-                velocity_of(&m, c->arm[k], v);
+                velocity_of(&m, c, body, k, v);
                 dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
                                        h*dem_vec_dot(own_force(c->flow, bodies, c->member[k], e), v));
             }

@@ -34,7 +34,7 @@ void dem_clump_heat_take(const struct dem_clump_heat *heat, const struct dem_clu
 
         if (p->record[first + (size_t)c].body && flow)
         {
-            const double part = flow->row[first + (size_t)c].surface;
+            const double part = flow->part[first + (size_t)c].surface;
 
             r->rate += part*s->rate[k][c];
             r->coefficient += part*s->coefficient[k][c];

@@ -156,12 +156,15 @@ double dem_limits_max_speed(const struct dem_state *state)
 
 static int check_turns(const struct dem_state *state)
 {
-    for (size_t k = 0; k < state->clumps.n; k++)
-    {
-        const uint32_t i = state->clumps.member[state->clumps.start[k]];
+    const struct dem_clumps *const c = &state->clumps;
 
-        DEM_TRY(dem_clump_check_spin(dem_clump_at(&state->particles, i), &state->particles.record[i],
-                                     state->dt, DEM_ERROR_NUMBER));
+    for (size_t k = 0; k < c->n && sqrt(c->max_spin_square)*state->dt > DEM_CLUMP_MAX_TURN; k++)
+    {
+        struct dem_clump body;
+
+        dem_clumps_body(c, k, &state->particles, &body);
+        DEM_TRY(dem_clump_check_spin(&body, &state->particles.record[c->member[c->start[k]]], state->dt,
+                                     DEM_ERROR_NUMBER));
     }
     return DEM_OK;
 }

@@ -191,10 +191,7 @@ static int insert_arrivals(struct dem_state *state)
 
     int status = dem_flows_insert(state);
 
-    if (!status && state->clumps.flow)
-    {
-        status = dem_clump_flow_reserve(state->clumps.flow, state->particles.n);
-    }
+    status = status ? status : dem_index_clumps(state);
 
     dem_interaction_table_gravity(&state->interaction_table, gravity);
 
@@ -338,6 +335,8 @@ int dem_neighbor_rebuild(struct dem_state *state)
 {
     const int rebalance = dem_load_balance_pays(&state->load_balance, &state->decomposition),
               weighted = rebalance && state->stale < 2;
+    dem_clumps_store(&state->clumps, &state->particles);
+
     int status = weighted
                      ? dem_load_balance_set_weights(&state->load_balance, &state->particles,
                                                     &state->contacts)

@@ -127,6 +127,10 @@ static int add_displacements(struct dem_pairs *s, const double *moved, int n)
 int dem_neighbor_check_particles(struct dem_state *state, int *changes)
 {
     state->flows->now = dem_flows_due(state);
+    if (state->flows->now || (state->domain.remove && dem_neighbor_removal_is_due(state)))
+    {
+        dem_clumps_store(&state->clumps, &state->particles);
+    }
     DEM_TRY(state->flows->now ? dem_flows_count_passages(state, 0.5*state->dt) : DEM_OK);
     DEM_TRY(dem_neighbor_check_removals(state, changes));
     state->flows->left = *changes;

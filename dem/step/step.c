@@ -97,6 +97,7 @@ static double drift(struct dem_state *state, int last)
     }
     if (state->energy_balance->open && !state->next_drift.counted)
     {
+        dem_clumps_store(&state->clumps, &state->particles);
         dem_energy_balance_after_drift(state, state->dt);
     }
     state->energy_balance->sums_elastic = last;
@@ -197,8 +198,7 @@ static struct due what_is_due(const struct dem_state *state, int last)
     due.backup = state->backup.every > 0 &&
                  state->steps >= state->backup.steps + state->backup.every && !last;
     due.fused = !due.backup && !state->energy_balance->open;
-    due.observed = last || state->window.stopped || dem_column(&state->particles, DEM_COLUMN_CLUMP) ||
-    dem_grid_averages_due(state->averages, state->time) ||
+    due.observed = last || state->window.stopped || dem_grid_averages_due(state->averages, state->time) ||
     (state->cell.active && dem_cell_control_due(state));
     return due;
 }
@@ -211,6 +211,7 @@ struct dem_body_sweep dem_step_sweep(const struct dem_state *state, double kick,
         .applied = dem_applied_forces_exist(&state->applied_forces) ? &state->applied_forces : NULL,
         .time = state->time,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
+        .bodies = state->clumps.n > 0 ? &state->clumps : NULL,
         .clumps = state->clumps.flow,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL,
                     .contacts = &state->contacts,
@@ -228,7 +229,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *state, const 
     sweep.contacts = &state->contacts;
     sweep.sums_first = !due->fused;
     sweep.unobserved = due->fused && !due->observed;
-    sweep.round = flat || state->cell.active ? NULL : state->domain.round;
+    sweep.round = flat || state->cell.active || sweep.bodies ? NULL : state->domain.round;
     sweep.scalars.heat = state->energy_balance->open
                              ? &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
                              : NULL;
@@ -300,6 +301,7 @@ static int sample_averages(struct dem_state *state, int status)
     if (dem_grid_averages_due(state->averages, state->time))
     {
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_BODIES);
+        dem_clumps_store(&state->clumps, &state->particles);
         status = dem_grid_averages_sample(state->averages, state, status);
         dem_timers_end_rare_phase(state->timers, DEM_PHASE_AVERAGES);
     }

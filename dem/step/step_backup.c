@@ -44,6 +44,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     {
         return DEM_OK;
     }
+    dem_clumps_store(&state->clumps, &state->particles);
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
     dem_flows_backup(state->flows);
     dem_wall_wear_backup(state);
@@ -57,6 +58,8 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
         if (state->clumps.n > 0)
         {
             (void)dem_kick_clumps(state, &backup->particles, half_kick);
+            dem_clumps_store(&state->clumps, &backup->particles);
+            dem_clumps_load(&state->clumps, &state->particles);
         }
         dem_domain_constrain(&state->domain, &backup->particles);
     }

@@ -73,7 +73,16 @@ static int make_steps(struct dem_state *state)
         DEM_TRY(dem_step(state, since, &k, &status));
         tell_progress(state);
     }
-    DEM_TRY(dem_agree(state, status));
+    return dem_agree(state, status);
+}
+
+/* The same, and what ends the window. */
+static int finish_window(struct dem_state *state)
+{
+    const int status = make_steps(state);
+
+    dem_clumps_store(&state->clumps, &state->particles);
+    DEM_TRY(status);
     state->window.half_step_ahead = state->steps - state->window.steps_before < state->window.steps;
     if (!state->window.half_step_ahead)
     {
@@ -125,12 +134,12 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
         DEM_TRY(dem_agree(state, dem_step_ask_for_forces(state)));
     }
     first_kick(state, 0.5*dt - done);
-    return make_steps(state);
+    return finish_window(state);
 }
 
 int dem_step_continue(struct dem_state *state)
 {
     dem_timers_begin_advance(state->timers, state->particles.n);
     DEM_TRY(index_clumps(state));
-    return make_steps(state);
+    return finish_window(state);
 }

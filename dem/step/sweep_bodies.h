@@ -38,8 +38,9 @@ struct dem_body_sweep    /* options of one sweep over all particles */
     double time;
     /* energy balance that sums the work; NULL: none */
     struct dem_energy_balance *energy_balance;
-    /* rigid bodies in a fluid, which are kicked after the sweep; NULL: none */
-    struct dem_clump_flow *clumps;
+    /* rigid bodies, which are kicked after the sweep, and the same in a fluid; NULL: none */
+    const struct dem_clumps *bodies;
+    const struct dem_clump_flow *clumps;
     /* particle scalars, integrated before the kick */
     struct dem_scalar_step scalars;
 };

@@ -31,14 +31,20 @@ static const struct dem_clump *body(const struct dem *d, size_t k)
 /* Kick body k over h by a force and a moment. */
 static void load(struct dem *d, size_t k, const double force[3], const double moment[3], double h)
 {
-    struct dem_clump *const b = dem_clump_at(&d->state.particles, d->state.clumps.member[d->state.clumps.start[k]]);
+    const struct dem_clumps *const c = &d->state.clumps;
+    const double none[3] = {0.0, 0.0, 0.0};
 
-    for (int a = 0; a < 3; a++)
+    for (size_t m = c->start[k]; m < c->start[k + 1]; m++)
     {
-        b->v[a] += h*force[a]/b->mass;
-        b->momentum[a] += h*moment[a];
+        struct dem_clump *const b = dem_clump_at(&d->state.particles, c->member[m]);
+
+        for (int a = 0; a < 3; a++)
+        {
+            b->v[a] += h*force[a]/b->mass;
+            b->momentum[a] += h*moment[a];
+        }
+        dem_clump_fall(&d->state.particles, c->member[m], none, 0.0);
     }
-    dem_clump_spread(&d->state.clumps, k, &d->state.particles);
 }
 
 /* ---- bodies of one sphere -------------------------------------------------------------------- */
