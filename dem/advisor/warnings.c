@@ -13,6 +13,7 @@ static const double min_density = 50.0;        /* kg/m3  below it: a slip of the
 static const double max_modulus = 1e10;        /* Pa  softer particles move the same */
 static const double costly_steps = 1e6;        /* of the run */
 static const double costly_window = 1e4;       /* DEM steps in a fluid step */
+static const double max_cell = 1000.0;         /* diameters  above it: a slip of the unit */
 static const double max_crossing = 0.5;        /* of the resolution: default of maxParticleCo */
 
 /* the list while it is written */
@@ -292,6 +293,34 @@ static void warn_of_crossing(struct list *w)
     }
 }
 
+/* ---- cells ----------------------------------------------------------------------------------- */
+
+static void warn_of_cells(struct list *w)
+{
+    const struct dem_run_info *const run = &w->p->run;
+    const double d = w->regime.suspension.diameter;
+
+    if (run->resolution > 0.0 && !run->one_way && run->resolution < d*(1.0 - 1e-9))
+    {
+        begin(w);
+        dem_text_add(
+            w->t,
+            "the smallest cell, %.3g m, or half the kernel's width, is less than a particle of %.3g m: cells become too "
+            "full, and each particle feels mainly its own wake; take kernel diffusion with width 3 in coupling, or cells of "
+            "two diameters\n",
+            run->cell, d);
+    }
+    else if (d > 0.0 && run->cell > max_cell*d)
+    {
+        begin(w);
+        dem_text_add(
+            w->t,
+            "the smallest cell, %.3g m, is %.3g diameters wide; if the mesh is in mm, give scale 0.001 in "
+            "system/blockMeshDict, or use transformPoints -scale\n",
+            run->cell, run->cell/d);
+    }
+}
+
 /* ---- impact speed ---------------------------------------------------------------------------- */
 
 static int warn_of_impacts(struct list *w)
@@ -359,6 +388,7 @@ int dem_warnings_write(struct dem_text *t, const struct dem_plan *p, int n, cons
         warn_of_biot(&w);
         DEM_TRY(warn_of_impacts(&w));
         warn_of_crossing(&w);
+        warn_of_cells(&w);
         DEM_TRY(warn_of_window(&w));
         DEM_TRY(warn_of_moduli(&w));
     }

@@ -27,10 +27,11 @@ class Laws:
                 return name
         if density is None:
             density = next((row[1] for row in self.materials.values()), 1000.0)
-        name = f"type{kind}" + ("_wall" if model else "")
-        others = sum(n == name or n.startswith(name + "_")
-                     for n in self.materials if not n.endswith("_wall"))
-        name += f"_{others + 1}" if others and name in self.materials else ""
+        first = name = f"type{kind}" + ("_wall" if model else "")
+        number = 1
+        while name in self.materials:
+            number += 1
+            name = f"{first}_{number}"
         self.materials[name] = (kind, density, model)
         return name
 

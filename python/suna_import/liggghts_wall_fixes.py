@@ -96,10 +96,7 @@ def read_wall_keywords(t, found, rest):
 
 
 def wall_temperature(t, word):
-    if t.heat is None:
-        t.harmless("no effect without fix heat/gran", "temperature")
-    else:
-        t.translated("temperature of the wall")
+    t.translated("temperature of the wall, where fix heat/gran acts")
     return t.number(word)
 
 

@@ -361,6 +361,12 @@ def pairs():
     "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
     "pair_style gran model hertz tangential history rolling_friction cdt")
     has(translate(rolling)[0], "between (type1 type1_wall); rollingConstant { friction 0; }")
+    line = next(row for row in BASE.splitlines() if row.startswith("fix z0"))
+    smooth = line.replace("fix z0", "fix z1").replace("tangential history", "tangential off rolling_friction cdt")
+    has(translate(rolling.replace(line, f"{line}\n{smooth}"))[0],
+        "type1_type1_wall { between (type1 type1_wall); rollingConstant { friction 0; } }",
+        "type1_type1_wall_2 { between (type1 type1_wall_2); mindlin { friction 0; } }",
+        "z0 { type plane; material type1_wall;", "z1 { type plane; material type1_wall_2;")
     refused(BASE.replace("hertz tangential history prim", "hooke tangential history prim"),
             "one normal law")
 

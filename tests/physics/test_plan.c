@@ -409,6 +409,30 @@ static void test_cost(void)
     dem_free(w);
 }
 
+/* Two boulders make long steps: a block of such spheres that is timed must not fall. Cells of a mesh are compared with
+   their diameter. */
+static void test_boulders(void)
+{
+    struct dem *const w = world(
+        "materials { rock { density 2700; youngsModulus 1e7; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.3; } }"
+        "walls { bin { type box; min (0 0 0); max (1 1 2); } }"
+        "insert { rocks { type lattice; count 2; diameter 0.3; min (0 0 0); max (1 1 2); } }",
+        0, NULL);
+    const char *text = plan(w, &(struct dem_run_info){.duration = 1.0});
+
+    TAP_OK(number_after(text, "Time\n    ") > 0.0, "the time of two boulders is estimated: %g us a step",
+           number_after(text, "Time\n    "));
+    WORLD_TRY(dem_warnings(w, &(struct dem_run_info){.cell = 0.1, .resolution = 0.1}, 0, NULL, &text));
+    TAP_OK(strstr(text, "the smallest cell, 0.1 m") && strstr(text, "less than a particle of 0.3 m"),
+           "cells smaller than particles: a warning");
+    WORLD_TRY(dem_warnings(w, &(struct dem_run_info){.cell = 400.0, .resolution = 400.0}, 0, NULL, &text));
+    TAP_OK(strstr(text, "1.33e+03 diameters") && strstr(text, "scale 0.001"), "a mesh in mm: a warning");
+    WORLD_TRY(dem_warnings(w, &(struct dem_run_info){.cell = 0.1, .resolution = 0.45}, 0, NULL, &text));
+    TAP_OK(!strstr(text, "smallest cell"), "small cells with a wide kernel: none");
+    dem_free(w);
+}
+
 /*
  * Spheres of 1 mm, 2500 kg/m3, E 1e7 Pa, nu 0.3, k_m/k = 5, phi 0.05. At 1 m/s k = 1090.8212625 N/m
  * and d_lim = 6.25e-5 m (equations (1) and (2) of Open DEM Japan 2025 by hand). v_lim = d_lim
@@ -459,6 +483,7 @@ int main(void)
     test_unknown_packing();
     test_expansion();
     test_law_of_its_own();
+    test_boulders();
     test_yielding();
     test_bed_by_columns();
     test_cost();
