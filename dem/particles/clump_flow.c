@@ -26,6 +26,7 @@ void dem_clump_flow_free(struct dem_clump_flow *f)
 {
     dem_memory_free(f->form);
     dem_memory_free(f->row);
+    dem_memory_free(f->rest);
     dem_memory_free(f->part);
     dem_memory_free(f->sums);
     dem_memory_free(f->own);
@@ -62,8 +63,12 @@ static const struct dem_clump_form *form_of(const struct dem_clump_flow *f, cons
 int dem_clump_flow_index(struct dem_clump_flow *f, const struct dem_clumps *c, const struct dem_particles *p)
 {
     DEM_TRY(DEM_GROW(f->row, f->capacity, p->n + 1));
+    DEM_TRY(DEM_GROW(f->rest, f->rest_capacity, p->n + 1));
     DEM_TRY(DEM_GROW(f->part, f->part_capacity, p->n + 1));
-    memset(f->part, 0, p->n*sizeof *f->part);
+    for (size_t i = 0; i < p->n; i++)
+    {
+        f->part[i] = (struct dem_clump_part){.which = -1};
+    }
     for (size_t body = 0; body < c->n; body++)
     {
         for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
@@ -73,8 +78,8 @@ int dem_clump_flow_index(struct dem_clump_flow *f, const struct dem_clumps *c, c
             const double mass = dem_clump_at(p, i)->mass, share = p->record[i].mass/mass;
 
             f->part[i] = (struct dem_clump_part){
-                .form = form, .share = share, .mass = mass, .surface = share/form->sphericity,
-                .q = &c->group[c->place[body]/DEM_CLUMP_LANES].q[0][c->place[body]%DEM_CLUMP_LANES]};
+                .form = form, .which = (int)(form - f->form), .share = share, .mass = mass, .surface = share/form->sphericity,
+                .q = c->group[c->place[body]/DEM_CLUMP_LANES].turned[c->place[body]%DEM_CLUMP_LANES]};
         }
     }
     return DEM_OK;
@@ -90,24 +95,23 @@ struct sums    /* struct dem_clump_flow_sums of the bodies of a group */
     double z[DEM_CLUMP_LANES], phi[DEM_CLUMP_LANES], phi_spin[DEM_CLUMP_LANES];
 };
 
-/* The rows of a slot into columns; row[k][3] holds the fourth number. */
-DEM_MATH void gather_rows(const struct dem_clump_slot *s, const struct dem_clump_flow_row *rows,
-                          double row[4][4][DEM_CLUMP_LANES])
+/* Eight numbers of each sphere of a slot into columns. */
+DEM_MATH void gather_rows(const struct dem_clump_slot *s, const void *rows, double row[2][4][DEM_CLUMP_LANES])
 {
-    static const struct dem_clump_flow_row none;
-    const double *from[DEM_CLUMP_LANES];
+    _Alignas(64) static const double none[8];
+    const double *from[DEM_CLUMP_LANES], *second[DEM_CLUMP_LANES];
 
-    for (int k = 0; k < 4; k++)
+    for (int c = 0; c < DEM_CLUMP_LANES; c++)
     {
-        for (int c = 0; c < DEM_CLUMP_LANES; c++)
-        {
-            from[c] = (const double *)(const void *)(s->particle[c] == DEM_CLUMP_NO_SPHERE ? &none
-                                                                                          : &rows[s->particle[c]])
-                    + 4*k;
-        }
-        dem_clump_gather(from, row[k]);
+        from[c] = s->particle[c] == DEM_CLUMP_NO_SPHERE ? none : (const double *)rows + 8*(size_t)s->particle[c];
+        second[c] = from[c] + 4;
     }
+    dem_clump_gather(from, row[0]);
+    dem_clump_gather(second, row[1]);
 }
+
+_Static_assert(sizeof(struct dem_clump_flow_row) == 64 && sizeof(struct dem_clump_flow_rest) == 64,
+               "gather_rows takes eight numbers");
 
 DEM_MATH void add_rows(const struct dem_clump_slot *s, double row[4][4][DEM_CLUMP_LANES], struct sums *sum)
 {
@@ -142,10 +146,10 @@ DEM_MATH void add_rows(const struct dem_clump_slot *s, double row[4][4][DEM_CLUM
 /* Sum over the spheres, and kick the bodies. */
 DEM_KERNEL
 static void kick_group(struct dem_clump_group *restrict g, const struct dem_clump_slot *restrict slot,
-                       const struct dem_clump_flow_row *restrict rows, const double (*contact)[8], double h,
+                       const struct dem_clump_flow *restrict f, const double (*contact)[8], int rest, double h,
                        struct sums *restrict s)
 {
-    _Alignas(64) double row[4][4][DEM_CLUMP_LANES];
+    _Alignas(64) double row[4][4][DEM_CLUMP_LANES] = {{{0.0}}};
 
     memset(s, 0, sizeof *s);
     for (size_t k = g->first; k < g->end; k++)
@@ -154,7 +158,11 @@ static void kick_group(struct dem_clump_group *restrict g, const struct dem_clum
     }
     for (size_t k = g->first; k < g->end; k++)
     {
-        gather_rows(&slot[k], rows, row);
+        gather_rows(&slot[k], f->row, row);
+        if (rest)
+        {
+            gather_rows(&slot[k], f->rest, row + 2);
+        }
         add_rows(&slot[k], row, s);
     }
     for (int c = 0; c < DEM_CLUMP_LANES; c++)
@@ -176,12 +184,13 @@ static void kick_group(struct dem_clump_group *restrict g, const struct dem_clum
     }
 }
 
-/* J_k of the spheres of a slot. */
+/* J_k of the spheres of a slot; `particle_drag` times h. */
 DEM_KERNEL
 static void find_drag(const struct dem_clump_slot *restrict slot, const struct dem_clump_flow_row *restrict rows,
-                      const struct sums *restrict s, double h, double row[4][4][DEM_CLUMP_LANES],
-                      double J[3][DEM_CLUMP_LANES])
+                      const struct sums *restrict s, double h, double J[4][DEM_CLUMP_LANES])
 {
+    _Alignas(64) double row[2][4][DEM_CLUMP_LANES];
+
     gather_rows(slot, rows, row);
     for (int c = 0; c < DEM_CLUMP_LANES; c++)
     {
@@ -192,18 +201,35 @@ static void find_drag(const struct dem_clump_slot *restrict slot, const struct d
         {
             J[a][c] = h*(s->phi[c]*row[1][a][c] - (1.0 - s->phi[c])*part*s->force[a][c]);
         }
+        J[3][c] = row[1][3][c]*h;
+    }
+}
+
+/* What a sphere adds of forces other than drag. */
+static void add_rest(const struct dem_clump_flow_rest *r, double h, double phi_spin, struct dem_particles *p, size_t i)
+{
+    double *const other = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
+           *const angular = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE);
+
+    for (size_t a = 0; a < 3 && other; a++)
+    {
+        other[3*i + a] += h*r->reaction[a];
+    }
+    for (size_t a = 0; a < 3 && angular; a++)
+    {
+        angular[3*i + a] += h*phi_spin*r->spin_torque[a];
     }
 }
 
 /* What the spheres of a slot add to the columns that the fluid reads. */
-static void add_impulses(const struct dem_clump_slot *slot, const struct dem_clump_flow_row *rows,
-                         const struct sums *s, struct dem_particles *p, double h)
+static void add_impulses(const struct dem_clump_slot *slot, const struct dem_clump_flow *f, const struct sums *s,
+                         struct dem_particles *p, int rest, double h)
 {
-    double *const impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), *const other = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
-           *const angular = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE);
-    _Alignas(64) double row[4][4][DEM_CLUMP_LANES], J[3][DEM_CLUMP_LANES];
+    double *const impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR),
+           *const time = dem_column(p, DEM_COLUMN_DRAG_TIME);
+    _Alignas(64) double J[4][DEM_CLUMP_LANES];
 
-    find_drag(slot, rows, s, h, row, J);
+    find_drag(slot, f->row, s, h, J);
     for (int c = 0; c < DEM_CLUMP_LANES; c++)
     {
         const size_t i = slot->particle[c];
@@ -212,20 +238,15 @@ static void add_impulses(const struct dem_clump_slot *slot, const struct dem_clu
         {
             continue;
         }
-        for (size_t a = 0; a < 3; a++)
+        impulse[3*i] += J[0][c];
+        impulse[3*i + 1] += J[1][c];
+        impulse[3*i + 2] += J[2][c];
+        decay[i] *= 1.0 - s->z[c]*s->phi[c];
+        time[i] += J[3][c];
+        if (rest)
         {
-            impulse[3*i + a] += J[a][c];
-            if (other)
-            {
-                other[3*i + a] += h*row[2][a][c];
-            }
-            if (angular)
-            {
-                angular[3*i + a] += h*s->phi_spin[c]*row[3][a][c];
-            }
+            add_rest(&f->rest[i], h, s->phi_spin[c], p, i);
         }
-        dem_column(p, DEM_COLUMN_DECAY_FACTOR)[i] *= 1.0 - s->z[c]*s->phi[c];
-        dem_column(p, DEM_COLUMN_DRAG_TIME)[i] += row[1][3][c]*h;
     }
 }
 
@@ -249,6 +270,7 @@ static void keep_sums(const struct sums *s, struct dem_clump_flow_sums *to)
 
 void dem_clump_flow_kick(struct dem_clump_flow *f, struct dem_clumps *c, struct dem_particles *p, double h)
 {
+    const int rest = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) || dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE);
     struct sums s;
 
     c->ahead = 1;
@@ -256,10 +278,16 @@ void dem_clump_flow_kick(struct dem_clump_flow *f, struct dem_clumps *c, struct 
     {
         struct dem_clump_group *const g = &c->group[k];
 
-        kick_group(g, c->slot, f->row, (const double (*)[8])c->contact, h, &s);
+        if (k + 1 < c->groups)
+        {
+            dem_clump_prefetch(g + 1, c->slot, c->contact, sizeof *c->contact, 1);
+            dem_clump_prefetch(g + 1, c->slot, f->row, sizeof *f->row, 1);
+            dem_clump_prefetch(g + 1, c->slot, p->record, sizeof *p->record, 2);
+        }
+        kick_group(g, c->slot, f, (const double (*)[8])c->contact, rest, h, &s);
         for (size_t m = g->first; m < g->end; m++)
         {
-            add_impulses(&c->slot[m], f->row, &s, p, h);
+            add_impulses(&c->slot[m], f, &s, p, rest, h);
         }
         spread(g, c->slot, p->record);
         if (f->sums)

@@ -39,17 +39,22 @@ struct dem_clump_flow_row
     _Alignas(64) double force[3];         /* N  f_k */
     double drag;                          /* kg/s  b_k */
     double slip_force[3], particle_drag;  /* N, kg/s  d_k; b_k without the slip factor */
-    double reaction[3], spin_drag;        /* N, kg m2/s  part of f_k whose opposite acts on the fluid; t_k */
+};
+struct dem_clump_flow_rest                /* 0 where no law has it */
+{
+    _Alignas(64) double reaction[3];      /* N  part of f_k whose opposite acts on the fluid */
+    double spin_drag;                     /* kg m2/s  t_k */
     double spin_torque[3], spare;         /* N m */
 };
 
 struct dem_clump_part                 /* a sphere of a body: what stays the same */
 {
     const struct dem_clump_form *form;    /* NULL: a single sphere */
+    int which;                        /* its number; -1 */
     double share, mass;               /* 1, kg  w_k; M */
     double surface;                   /* 1  w_k times the surface of the body over the surface of the sphere of its
                                             volume, A/(pi d^2) */
-    const double *q;                  /* R of the body, by lanes of DEM_CLUMP_LANES */
+    const double *q;                  /* R of the body */
 };
 
 struct dem_clump_flow
@@ -57,8 +62,9 @@ struct dem_clump_flow
     const struct dem_clump_shapes *shapes;
     struct dem_clump_form *form;      /* of each shape */
     struct dem_clump_flow_row *row;   /* of each particle, valid for bodies in a kick */
+    struct dem_clump_flow_rest *rest; /* likewise */
     struct dem_clump_part *part;      /* of each particle */
-    size_t capacity, part_capacity;
+    size_t capacity, rest_capacity, part_capacity;
     double *own, *before;             /* for the energy balance, step/clump_energy.c */
     struct dem_clump_flow_sums *sums; /* likewise: in the last kick, of bodies by their place; NULL: not kept */
     size_t own_capacity, before_capacity, sums_capacity;

@@ -6,6 +6,7 @@
 #include "particles/clump_form.h"
 #include "core/math.h"
 #include "core/vec.h"
+#include "laws/effect.h"
 #include "particles/chords.h"
 #include <math.h>
 #include <string.h>
@@ -146,21 +147,23 @@ static void node(int face, int i, int j, double n[3])
     n[(face + 2)%3] = v*over;
 }
 
-/* Linear interpolation of value `which` along n, of any length above 0. */
-static double interpolated(const struct dem_clump_form *f, const double n[3], int which)
+/* Linear interpolation of both values along n, of any length above 0; `at`: a table `inverse`. */
+DEM_MATH void interpolate(const double *at, const double n[3], double value[2])
 {
-    const int face = fabs(n[0]) >= fabs(n[1]) && fabs(n[0]) >= fabs(n[2]) ? 0
-                     : fabs(n[1]) >= fabs(n[2])                         ? 1
-                                                                        : 2;
-    const double half = 0.5*DEM_CLUMP_FORM_CELLS, u = half*(n[(face + 1)%3]/n[face] + 1.0),
-                 v = half*(n[(face + 2)%3]/n[face] + 1.0);
-    const int i = u < DEM_CLUMP_FORM_CELLS ? (int)u : DEM_CLUMP_FORM_CELLS - 1,
-              j = v < DEM_CLUMP_FORM_CELLS ? (int)v : DEM_CLUMP_FORM_CELLS - 1;
+    const double size[3] = {fabs(n[0]), fabs(n[1]), fabs(n[2])};
+    const int first = (size[0] >= size[1]) & (size[0] >= size[2]), second = !first & (size[1] >= size[2]);
+    const double across = dem_select(first, n[0], dem_select(second, n[1], n[2])),
+                 next = dem_select(first, n[1], dem_select(second, n[2], n[0])),
+                 last = dem_select(first, n[2], dem_select(second, n[0], n[1]));
+    const double half = 0.5*DEM_CLUMP_FORM_CELLS, u = half*(next/across + 1.0), v = half*(last/across + 1.0);
+    const int i = (int)u < DEM_CLUMP_FORM_CELLS ? (int)u : DEM_CLUMP_FORM_CELLS - 1,
+              j = (int)v < DEM_CLUMP_FORM_CELLS ? (int)v : DEM_CLUMP_FORM_CELLS - 1;
     const double x = u - i, y = v - j;
-    const double (*const at)[DEM_CLUMP_FORM_NODES][2] = f->inverse[face] + i;
+    const int row = 2*DEM_CLUMP_FORM_NODES, low = (2 - 2*first - second)*DEM_CLUMP_FORM_NODES*row + i*row + 2*j;
 
-    return (1.0 - x)*((1.0 - y)*at[0][j][which] + y*at[0][j + 1][which]) +
-           x*((1.0 - y)*at[1][j][which] + y*at[1][j + 1][which]);
+    value[0] = (1.0 - x)*((1.0 - y)*at[low] + y*at[low + 2]) + x*((1.0 - y)*at[low + row] + y*at[low + row + 2]);
+    value[1] = (1.0 - x)*((1.0 - y)*at[low + 1] + y*at[low + 3]) +
+               x*((1.0 - y)*at[low + row + 1] + y*at[low + row + 3]);
 }
 
 /* A_l(n) over pi d^2/4, from the table of A. */
@@ -174,13 +177,14 @@ static double lengthwise_mean(const struct dem_clump_form *f, const double n[3])
     for (int k = 0; k < AROUND; k++)
     {
         const double old = at[0];
-        double to[3];
+        double to[3], value[2];
 
         for (int c = 0; c < 3; c++)
         {
             to[c] = at[0]*a[c] + at[1]*b[c];
         }
-        sum += interpolated(f, to, 0);
+        interpolate(&f->inverse[0][0][0][0], to, value);
+        sum += value[0];
         at[0] = turn[0]*old - turn[1]*at[1];
         at[1] = turn[1]*old + turn[0]*at[1];
     }
@@ -222,13 +226,43 @@ void dem_clump_form_make(struct dem_clump_form *f, const struct dem_clump_shape 
     }
 }
 
+DEM_KERNEL
+static void along_rows(const double *restrict table, const int *restrict start, double n[3][DEM_BATCH_ROWS], int rows,
+                       double *restrict crosswise, double *restrict lengthwise)
+{
+    for (int c = 0; c < rows; c++)
+    {
+        const double square = n[0][c]*n[0][c] + n[1][c]*n[1][c] + n[2][c]*n[2][c];
+        const int known = (square > 0.0) & (square < INFINITY), has = start[c] >= 0;
+        const double along[3] = {dem_select(known, n[0][c], 0.0), dem_select(known, n[1][c], 0.0),
+                                 dem_select(known, n[2][c], 1.0)};
+        double value[2];
+
+        interpolate(table + (has ? start[c] : 0), along, value);
+        crosswise[c] = dem_select(has, 1.0/value[0], 1.0);
+        lengthwise[c] = dem_select(has, 1.0/value[1], 1.0);
+    }
+}
+
+void dem_clump_forms_along(const struct dem_clump_form *form, const int *which, double n[3][DEM_BATCH_ROWS], int rows,
+                           double *crosswise, double *lengthwise)
+{
+    int start[DEM_BATCH_ROWS];
+
+    for (int c = 0; c < rows; c++)
+    {
+        start[c] = which[c] >= 0 && form[which[c]].areas ? which[c]*(int)(sizeof *form/sizeof(double)) : -1;
+    }
+    along_rows(&form->inverse[0][0][0][0], start, n, rows, crosswise, lengthwise);
+}
+
 void dem_clump_form_along(const struct dem_clump_form *f, const double n[3], double *crosswise,
                           double *lengthwise)
 {
-    static const double axis[3] = {0.0, 0.0, 1.0};
-    const double square = dem_vec_dot(n, n);
-    const double *const along = square > 0.0 && square < INFINITY ? n : axis;
+    double column[3][DEM_BATCH_ROWS];
 
-    *crosswise = f->areas ? 1.0/interpolated(f, along, 0) : 1.0;
-    *lengthwise = f->areas ? 1.0/interpolated(f, along, 1) : 1.0;
+    column[0][0] = n[0];
+    column[1][0] = n[1];
+    column[2][0] = n[2];
+    dem_clump_forms_along(f, (const int[1]){0}, column, 1, crosswise, lengthwise);
 }

@@ -22,6 +22,7 @@
 #ifndef DEM_PARTICLES_CLUMP_FORM_H
 #define DEM_PARTICLES_CLUMP_FORM_H
 
+#include "laws/batch.h"
 #include "particles/clump_shape.h"
 
 enum
@@ -46,5 +47,9 @@ void dem_clump_form_make(struct dem_clump_form *, const struct dem_clump_shape *
 /* Crosswise and lengthwise sphericity for a slip along n, of any length; in principal axes. */
 void dem_clump_form_along(const struct dem_clump_form *, const double n[3], double *crosswise,
                           double *lengthwise);
+
+/* The same for rows: row c has the form form[which[c]], or is a sphere where that is -1. */
+void dem_clump_forms_along(const struct dem_clump_form *form, const int *which, double n[3][DEM_BATCH_ROWS], int rows,
+                           double *crosswise, double *lengthwise);
 
 #endif

@@ -78,6 +78,7 @@ void dem_clumps_load(struct dem_clumps *c, const struct dem_particles *p)
         {
             load_body(g, lane, dem_clump_at(p, c->slot[g->first].particle[lane < g->n ? lane : 0]));
         }
+        dem_clump_keep_turns(g);
         for (size_t s = g->first; s < g->end; s++)
         {
             dem_clump_turn_arms(g, &c->slot[s]);

@@ -26,6 +26,7 @@ struct dem_clump_group    /* bodies; struct dem_clump has the members */
     _Alignas(64) double mass[DEM_CLUMP_LANES];
     double inertia[3][DEM_CLUMP_LANES], x[3][DEM_CLUMP_LANES], v[3][DEM_CLUMP_LANES], q[4][DEM_CLUMP_LANES],
         momentum[3][DEM_CLUMP_LANES];
+    double turned[DEM_CLUMP_LANES][4];                 /* q, by bodies */
     size_t first, end;    /* slots */
     int n, moves;         /* bodies; 0: frozen */
 };
@@ -68,6 +69,39 @@ DEM_MATH void dem_clump_scatter(double from[3][DEM_CLUMP_LANES], double *const t
         for (int k = 0; k < 4; k++)
         {
             DEM_VEC4_AT(to[c + k]) = __builtin_shufflevector(row[k], DEM_VEC4(to[c + k]), 0, 1, 2, 7);
+        }
+    }
+}
+
+/* q into `turned`. */
+DEM_MATH void dem_clump_keep_turns(struct dem_clump_group *g)
+{
+    for (int c = 0; c < DEM_CLUMP_LANES; c += 4)
+    {
+        dem_vec4 row[4] = {DEM_VEC4(g->q[0] + c), DEM_VEC4(g->q[1] + c), DEM_VEC4(g->q[2] + c), DEM_VEC4(g->q[3] + c)};
+
+        dem_transpose4(row);
+        for (int k = 0; k < 4; k++)
+        {
+            DEM_VEC4_AT(g->turned[c + k]) = row[k];
+        }
+    }
+}
+
+/* Fetch the lines [0, lines) of what the spheres of a group have in an array of elements of this size. */
+DEM_MATH void dem_clump_prefetch(const struct dem_clump_group *g, const struct dem_clump_slot *slot,
+                                 const void *array, size_t size, size_t lines)
+{
+    for (size_t k = g->first; k < g->end; k++)
+    {
+        for (int c = 0; c < DEM_CLUMP_LANES; c++)
+        {
+            const size_t i = slot[k].particle[c] == DEM_CLUMP_NO_SPHERE ? 0 : slot[k].particle[c];
+
+            for (size_t line = 0; line < lines; line++)
+            {
+                __builtin_prefetch((const char *)array + i*size + 64*line, 1);
+            }
         }
     }
 }

@@ -104,6 +104,7 @@ static void drift_group(struct dem_clump_group *restrict g, struct dem_clump_slo
         }
     }
     turn(g, dt, spin, square);
+    dem_clump_keep_turns(g);
     for (size_t k = g->first; k < g->end; k++)
     {
         dem_clump_turn_arms(g, &slot[k]);
@@ -121,6 +122,10 @@ void dem_clumps_drift(struct dem_clumps *c, struct dem_particles *p, const struc
     {
         double square[DEM_CLUMP_LANES] = {0.0};
 
+        if (k + 1 < c->groups)
+        {
+            dem_clump_prefetch(&c->group[k + 1], c->slot, p->record, sizeof *p->record, 2);
+        }
         if (c->group[k].moves)
         {
             drift_group(&c->group[k], c->slot, p->record, d, dt, square);
@@ -194,6 +199,11 @@ void dem_clumps_kick(struct dem_clumps *c, struct dem_particles *p, const double
     c->ahead = 1;
     for (size_t k = 0; k < c->groups; k++)
     {
+        if (k + 1 < c->groups)
+        {
+            dem_clump_prefetch(&c->group[k + 1], c->slot, c->contact, sizeof *c->contact, 1);
+            dem_clump_prefetch(&c->group[k + 1], c->slot, p->record, sizeof *p->record, 2);
+        }
         kick_group(&c->group[k], c->slot, p->record, (const double (*)[8])c->contact, g, h);
     }
 }

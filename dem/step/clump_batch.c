@@ -7,86 +7,159 @@
 #include "step/clump_batch.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "laws/effect.h"
 #include "particles/clump_lanes.h"
 #include "step/clump_energy.h"
 #include "step/clump_heat.h"
 #include <string.h>
 
-void dem_clump_batch_begin(const struct dem_clump_flow *f, struct dem_body_workspace *work,
-                           const struct dem_particles *p, size_t first, int rows, double over_window)
+/* The slip in the principal axes of the bodies, q by columns. */
+DEM_KERNEL
+static void turn_slips(const struct dem_body_batch *restrict b, double q[4][DEM_BATCH_ROWS], int rows,
+                       double along[3][DEM_BATCH_ROWS])
 {
-    const double *const carried = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE);
+    for (int c = 0; c < rows; c++)
+    {
+        const double slip[3] = {b->ux[c] - b->vx[c], b->uy[c] - b->vy[c], b->uz[c] - b->vz[c]},
+                     of[4] = {q[0][c], q[1][c], q[2][c], q[3][c]};
+        double turned[3];
+
+        dem_quaternion_rotate(of, -1.0, slip, turned);
+        along[0][c] = turned[0];
+        along[1][c] = turned[1];
+        along[2][c] = turned[2];
+    }
+}
+
+void dem_clump_batch_begin(const struct dem_clump_flow *f, struct dem_body_workspace *work, size_t first, int rows,
+                           int forms)
+{
+    static const double upright[4] = {1.0, 0.0, 0.0, 0.0};
+    struct dem_body_batch *const b = &work->batch;
+    _Alignas(64) double q[4][DEM_BATCH_ROWS], along[3][DEM_BATCH_ROWS];
+    int which[DEM_BATCH_ROWS];
+
+    for (int c = 0; c < rows; c++)
+    {
+        const struct dem_clump_part *const part = &f->part[first + (size_t)c];
+        const double *const turned = part->form ? part->q : upright;
+
+        which[c] = part->which;
+        for (int a = 0; a < 4; a++)
+        {
+            q[a][c] = turned[a];
+        }
+        if (part->form)
+        {
+            b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
+            b->radius[c] = part->form->radius;
+            b->volume[c] = part->form->volume;
+            b->mass[c] = part->mass;
+            b->sphericity[c] = part->form->sphericity;
+        }
+    }
+    if (forms)
+    {
+        turn_slips(b, q, rows, along);
+        dem_clump_forms_along(f->form, which, along, rows, b->crosswise, b->lengthwise);
+    }
+}
+
+/* The columns of struct dem_clump_flow_row; in the batch they are cleared, but for single spheres, of share 0. */
+DEM_KERNEL
+static void take_shares(struct dem_body_workspace *restrict work, const double *restrict share,
+                        const double *restrict carried, double over_window, int rows, double to[8][DEM_BATCH_ROWS])
+{
     struct dem_body_batch *const b = &work->batch;
 
     for (int c = 0; c < rows; c++)
     {
+        const double w = share[c];
+
+        to[0][c] = over_window*carried[3*c] + w*b->fx[c];
+        to[1][c] = over_window*carried[3*c + 1] + w*b->fy[c];
+        to[2][c] = over_window*carried[3*c + 2] + w*b->fz[c];
+        to[3][c] = w*b->drag[c];
+        to[4][c] = w*(b->drag_ux[c] - b->drag[c]*b->vx[c]);
+        to[5][c] = w*(b->drag_uy[c] - b->drag[c]*b->vy[c]);
+        to[6][c] = w*(b->drag_uz[c] - b->drag[c]*b->vz[c]);
+        to[7][c] = w*work->particle_drag[c];
+    }
+    for (int c = 0; c < rows; c++)
+    {
+        const int body = share[c] > 0.0;
+
+        b->fx[c] = dem_select(body, 0.0, b->fx[c]);
+        b->fy[c] = dem_select(body, 0.0, b->fy[c]);
+        b->fz[c] = dem_select(body, 0.0, b->fz[c]);
+        b->drag_ux[c] = dem_select(body, 0.0, b->drag_ux[c]);
+        b->drag_uy[c] = dem_select(body, 0.0, b->drag_uy[c]);
+        b->drag_uz[c] = dem_select(body, 0.0, b->drag_uz[c]);
+        b->drag[c] = dem_select(body, 0.0, b->drag[c]);
+        work->particle_drag[c] = dem_select(body, 0.0, work->particle_drag[c]);
+    }
+}
+
+/* Columns into rows. */
+DEM_KERNEL
+static void store_rows(double column[8][DEM_BATCH_ROWS], int rows, struct dem_clump_flow_row *restrict row)
+{
+    for (int half = 0; half < 8; half += 4)
+    {
+        for (int c = 0; c < rows; c += 4)
+        {
+            dem_vec4 four[4] = {DEM_VEC4(column[half] + c), DEM_VEC4(column[half + 1] + c),
+                                DEM_VEC4(column[half + 2] + c), DEM_VEC4(column[half + 3] + c)};
+
+            dem_transpose4(four);
+            for (int k = 0; k < 4 && c + k < rows; k++)
+            {
+                DEM_VEC4_AT((double *)(void *)(row + c + k) + half) = four[k];
+            }
+        }
+    }
+}
+
+/* The same for reactions and rotational drag. */
+static void take_rest(const struct dem_clump_flow *f, struct dem_body_batch *b, const struct dem_particles *p,
+                      size_t first, int rows)
+{
+    const int reacts = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) != NULL,
+              turns = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE) != NULL;
+    double *const reaction[3] = {b->rx, b->ry, b->rz},
+           *const target[3] = {b->spin_drag_wx, b->spin_drag_wy, b->spin_drag_wz};
+
+    for (int c = 0; c < rows && (reacts || turns); c++)
+    {
         const size_t i = first + (size_t)c;
-        const struct dem_clump_part *const part = &f->part[i];
-        const struct dem_clump_form *const form = part->form;
+        const double w = f->part[i].share;
 
-        if (!form)
+        for (int a = 0; a < 3 && f->part[i].form; a++)
         {
-            continue;
+            f->rest[i].reaction[a] = reacts ? w*reaction[a][c] : 0.0;
+            f->rest[i].spin_torque[a] = turns ? w*(target[a][c] - b->spin_drag[c]*p->record[i].w[a]) : 0.0;
+            reaction[a][c] = target[a][c] = 0.0;
         }
-        for (size_t a = 0; a < 3; a++)
+        if (f->part[i].form)
         {
-            f->row[i].force[a] = over_window*carried[3*i + a];
-        }
-        b->fx[c] = b->fy[c] = b->fz[c] = 0.0;
-        b->radius[c] = form->radius;
-        b->volume[c] = form->volume;
-        b->mass[c] = part->mass;
-        b->sphericity[c] = form->sphericity;
-        if (form->areas)
-        {
-            const double slip[3] = {b->ux[c] - b->vx[c], b->uy[c] - b->vy[c], b->uz[c] - b->vz[c]},
-                         q[4] = {part->q[0], part->q[DEM_CLUMP_LANES], part->q[2*DEM_CLUMP_LANES],
-                                 part->q[3*DEM_CLUMP_LANES]};
-            double along[3];
-
-            dem_clump_rotate_back(q, slip, along);
-            dem_clump_form_along(form, along, &b->crosswise[c], &b->lengthwise[c]);
-        }
-        else
-        {
-            b->crosswise[c] = b->lengthwise[c] = 1.0;
+            f->rest[i].spin_drag = turns ? w*b->spin_drag[c] : 0.0;
+            b->spin_drag[c] = 0.0;
         }
     }
 }
 
 void dem_clump_batch_take(const struct dem_clump_flow *f, struct dem_body_workspace *work,
-                          const struct dem_particles *p, size_t first, int rows)
+                          const struct dem_particles *p, size_t first, int rows, double over_window)
 {
-    struct dem_body_batch *const b = &work->batch;
-    const int reacts = dem_column(p, DEM_COLUMN_OTHER_IMPULSE) != NULL,
-              turns = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE) != NULL;
-    double *const force[3] = {b->fx, b->fy, b->fz}, *const reaction[3] = {b->rx, b->ry, b->rz},
-           *const target[3] = {b->drag_ux, b->drag_uy, b->drag_uz}, *const v[3] = {b->vx, b->vy, b->vz},
-           *const spin_target[3] = {b->spin_drag_wx, b->spin_drag_wy, b->spin_drag_wz};
+    _Alignas(64) double share[DEM_BATCH_ROWS], column[8][DEM_BATCH_ROWS];
 
     for (int c = 0; c < rows; c++)
     {
-        struct dem_clump_flow_row *const r = &f->row[first + (size_t)c];
-        const double w = f->part[first + (size_t)c].share;
-
-        if (!f->part[first + (size_t)c].form)
-        {
-            continue;
-        }
-        for (int a = 0; a < 3; a++)
-        {
-            r->force[a] += w*force[a][c];
-            r->reaction[a] = reacts ? w*reaction[a][c] : 0.0;
-            r->slip_force[a] = w*(target[a][c] - b->drag[c]*v[a][c]);
-            r->spin_torque[a] =
-                turns ? w*(spin_target[a][c] - b->spin_drag[c]*p->record[first + (size_t)c].w[a]) : 0.0;
-            force[a][c] = reaction[a][c] = target[a][c] = spin_target[a][c] = 0.0;
-        }
-        r->drag = w*b->drag[c];
-        r->particle_drag = w*work->particle_drag[c];
-        r->spin_drag = turns ? w*b->spin_drag[c] : 0.0;
-        b->drag[c] = work->particle_drag[c] = b->spin_drag[c] = 0.0;
+        share[c] = f->part[first + (size_t)c].share;
     }
+    take_shares(work, share, dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE) + 3*first, over_window, rows, column);
+    store_rows(column, rows, f->row + first);
+    take_rest(f, &work->batch, p, first, rows);
 }
 
 void dem_clump_batch_contacts(const struct dem_clumps *c, const struct dem_contact_sum *sum, size_t first, int rows)

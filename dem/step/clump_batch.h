@@ -10,15 +10,15 @@
 #include "ranks/dem_state.h"
 #include "step/sweep_bodies.h"
 
-/* Before the effects: rows of a body get the radius, mass and volume of its volume-equivalent sphere,
-   and its form; forces so far are set aside. `over_window` as in dem_body_batch_gather_fluid. */
-void dem_clump_batch_begin(const struct dem_clump_flow *, struct dem_body_workspace *,
-                           const struct dem_particles *, size_t first, int rows, double over_window);
+/* Before the effects: rows of a body get the radius, mass and volume of its volume-equivalent sphere; `forms`: and
+   its form. Forces so far are set aside. */
+void dem_clump_batch_begin(const struct dem_clump_flow *, struct dem_body_workspace *, size_t first, int rows,
+                           int forms);
 
 /* After the effects and the slip factor: take the shares of their results out of the batch, so that the
-   kick of the batch leaves these rows as they are. */
+   kick of the batch leaves these rows as they are. `over_window` as in dem_body_batch_gather_fluid. */
 void dem_clump_batch_take(const struct dem_clump_flow *, struct dem_body_workspace *,
-                          const struct dem_particles *, size_t first, int rows);
+                          const struct dem_particles *, size_t first, int rows, double over_window);
 
 /* In each sweep: keep the contact forces of a batch for the kick of the bodies. */
 void dem_clump_batch_contacts(const struct dem_clumps *, const struct dem_contact_sum *, size_t first, int rows);

@@ -80,7 +80,7 @@ static void find_motion(const struct dem_clumps *c, size_t body, const struct de
         for (int a = 0; a < 3; a++)
         {
             slip[a] += moment[a];
-            spin[a] += r->spin_torque[a];
+            spin[a] += c->flow->rest[c->member[k]].spin_torque[a];
         }
     }
     for (int a = 0; a < 3; a++)

@@ -77,10 +77,17 @@ static void kick_without_drag(struct dem_body_workspace *restrict work, double h
     }
 }
 
+/* 1/s */
+static double over_window(const struct dem_body_sweep *s)
+{
+    return s->window > 0.0 ? 1.0/s->window : 0.0;
+}
+
 /* The kick with drag, and the impulses that are passed to the fluid. */
 static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles *particles,
-                          const struct dem_clump_flow *clumps, size_t first, int rows, double h)
+                          const struct dem_body_sweep *s, size_t first, int rows)
 {
+    const double h = s->kick;
     const int reacts = dem_column(particles, DEM_COLUMN_OTHER_IMPULSE) != NULL;
 
     if (reacts)
@@ -92,9 +99,9 @@ static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles 
     {
         dem_body_batch_limit_backward_drag(work, particles, first, rows, h);
     }
-    if (clumps)
+    if (s->clumps)
     {
-        dem_clump_batch_take(clumps, work, particles, first, rows);
+        dem_clump_batch_take(s->clumps, work, particles, first, rows, over_window(s));
     }
     kick_with_drag(work, h);
     dem_body_batch_sum_drag(work, particles, first, rows, h);
@@ -234,18 +241,17 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     struct dem_body_workspace *const work = &pass->workspace;
     const struct dem_body_sweep *const s = pass->sweep;
     const int fluid = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) != NULL;
-    const double over_window = s->window > 0.0 ? 1.0/s->window : 0.0;
     struct applied applied;
 
     forces_of_contacts(pass, first, rows);
     dem_body_batch_gather(work, particles, first, rows, pass->bodies->needs);
     if (fluid)
     {
-        dem_body_batch_gather_fluid(work, particles, first, rows, over_window);
+        dem_body_batch_gather_fluid(work, particles, first, rows, over_window(s));
     }
     if (s->clumps)
     {
-        dem_clump_batch_begin(s->clumps, work, particles, first, rows, over_window);
+        dem_clump_batch_begin(s->clumps, work, first, rows, (pass->bodies->needs & DEM_NEEDS_FORM) != 0);
     }
     apply_effects(work, pass->bodies, s->energy_balance, pass->scalars);
     if (s->applied)
@@ -262,7 +268,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     }
     if (fluid)
     {
-        kick_in_fluid(work, particles, s->clumps, first, rows, s->kick);
+        kick_in_fluid(work, particles, s, first, rows);
     }
     else
     {
