@@ -131,8 +131,9 @@ void Foam::demFlowQuantities::updateAcceleration(const volVectorField& U)
 
     a = U & gradU;
 
-    // On a moving mesh du/dt, below, is the derivative along the cells. From their points, as the
-    // reconstruction of meshPhi is 1.5 % off in the cells of a ring (tests/coupled/rotating).
+    // On a moving mesh du/dt, below, is the derivative along the cells. Their motion is found from
+    // their points, as the reconstruction of meshPhi is 1.5 % off in the cells of a ring
+    // (tests/coupled/rotating).
     if (mesh_.moving())
     {
         const pointField path(mesh_.points() - mesh_.oldPoints());

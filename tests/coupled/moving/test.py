@@ -1,6 +1,7 @@
 """Particles follow a moving mesh, in demPimpleFoam and in pimpleFoam.
 
 - A floor that rises (mesh deformed by displacementLaplacian), and a box that moves as a whole.
+- A shear layer stays in space while the mesh moves through it.
 - Two ranks agree with one; a restart agrees with the uninterrupted run, also with ownWake and lawWidth.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -153,4 +154,29 @@ for solver in ("demPimpleFoam", "pimpleFoam"):
     for field in ("U", "p", "phi", "Uf", "voidFraction"):
         claim(f"{name}: a restart has the bits of the uninterrupted run, {field}",
               lambda: agrees(straight/field, end/field))
+
+# ---- a mesh that moves through a shear layer at rest ------------------------------------------------
+# Fluid at x < 0.05 m moves along y. The mesh moves 0.01 m along x, and the layer stays where it is in space.
+
+case = make("shear", "demPimpleFoam")
+case.dictionary("constant/dynamicMeshDict", """dynamicFvMesh dynamicMotionSolverFvMesh;
+motionSolver solidBody;
+solidBodyMotionFunction linearMotion;
+velocity (0.2 0 0);""")
+case.box((0.1, 0.0025, 0.0025), (40, 1, 1),
+         {"ends": ("patch", "x- x+"), "front": ("cyclic; neighbourPatch back", "y-"),
+          "back": ("cyclic; neighbourPatch front", "y+"), "sides": ("patch", "z- z+")})
+case.flow("(0 0 0)", "ends { type zeroGradient; } sides { type slip; } \"front|back\" { type cyclic; }",
+          "ends { type fixedValue; value uniform 0; } sides { type fixedFluxPressure; } "
+          "\"front|back\" { type cyclic; }")
+case.sub("0/U", r"uniform \(0 0 0\);", f"nonuniform List<vector> 40({'(0 0.1 0) '*20}{'(0 0 0) '*20});")
+case.remove("0/pointDisplacement")
+case.properties("glass { density 2500; youngsModulus 1e6; }", "hertz {} gidaspow {} pressureGradient {}",
+                "grain { type list; diameter 1e-5; positions ((0.09 0.00125 0.00125)); }", "rho 1;")
+case.edit("system/controlDict", endTime=0.05, deltaT=0.001, writeInterval=0.05)
+case.run("blockMesh")
+claim_runs("shear layer: runs", case)
+# one of 40 cells of 2.5 mm, full of the layer's velocity, is 2.5 mm of it; viscosity spreads it evenly
+place = (case.field("0.05/U")[:, 1]/0.1).sum()*0.0025
+claim("shear layer: it stays in space (m)", abs(place - 0.04) < 1e-5, place)
 finish()
