@@ -110,6 +110,12 @@ void Foam::demWallEntries::checkOwn
         e.isDict() ? e.dict().getOrDefault<word>("type", "patch") : "patch"
     );
 
+    if (type != "patch" && e.dict().found("wear"))
+    {
+        FatalIOErrorInFunction(e.dict())
+            << "walls/" << e.keyword().c_str() << "/wear: a coupled run writes no wear, only the"
+            << " program dem does; take it out" << exit(FatalIOError);
+    }
     if (e.keyword().isPattern() || type == "patch")
     {
         refuseUnmatched

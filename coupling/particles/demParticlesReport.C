@@ -95,6 +95,14 @@ Foam::string Foam::demParticles::lostSentence
     else
     {
         os  << longer.c_str();
+        for (const polyPatch& open : mesh_.boundaryMesh())
+        {
+            if (!dict().isWall(open) && patch[0].find("patch " + open.name() + ",") != string::npos)
+            {
+                os  << "; where particles may pass it, give outlets { NAME { patch "
+                    << open.name() << "; } }";
+            }
+        }
     }
     return os.str();
 }

@@ -277,6 +277,14 @@ static int include_laws(struct composer *c, const struct dem_effect_list *list)
     return DEM_OK;
 }
 
+static void add_balance_call(struct composer *c, const char *when, int k)
+{
+    if (c->balance.of->open)
+    {
+        dem_text_add(c->out, "    dem_balance_%s_law(e, r, %d);\n", when, k);
+    }
+}
+
 static int add_bodies(struct composer *c, const struct dem_interaction_table *table)
 {
     const struct dem_effect_list *const list = &table->bodies;
@@ -296,9 +304,9 @@ static int add_bodies(struct composer *c, const struct dem_interaction_table *ta
     {
         if (!list->entry[k].effect->eddies)
         {
-            dem_text_add(c->out, c->balance.of->open ? "    dem_balance_before_law(e, r, %d);\n" : "", k);
+            add_balance_call(c, "before", k);
             add_call(c, "body", k, &list->entry[k], "row", "");
-            dem_text_add(c->out, c->balance.of->open ? "    dem_balance_after_law(e, r, %d);\n" : "", k);
+            add_balance_call(c, "after", k);
         }
     }
     dem_text_add(c->out, "}\n#define BODIES body_laws\n#define BODY_ARGUMENTS &r%s%s\n#define MOMENTS %d\n"

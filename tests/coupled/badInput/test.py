@@ -129,6 +129,9 @@ slips = [                                             # what, sentence, changes
     ("a wall that is no dictionary", "walls/top is not a dictionary", before("insert", "walls { top neutral; }")),
     ("a patch with a place", "walls/top .*Take out point",
      before("insert", "walls { top { type patch; point (0 0 0); } }")),
+    ("wear, which nothing writes", "walls/chute/wear: a coupled run writes no wear",
+     before("insert", "walls { chute { type triangles; material neutral; corners ((0 0 0) (1e-3 0 0) (0 1e-3 0));"
+                      " wear { coefficient 1; hardness 1; } } }")),
     ("a temperature of a patch without heat",
      "unknown entry .temperature. in walls/top; it acts only with .* conduction, .*radiation",
      before("insert", "walls { top { type patch; temperature { value 300; } } }")),
