@@ -12,6 +12,7 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "wallFvPatch.H"
+#include "dem_numbers.h"
 #include <sstream>
 
 namespace Foam
@@ -111,9 +112,10 @@ void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
 }
 
 
-// Patches that are neither walls nor passages: particles are lost there
+// Patches that are neither walls nor passages: particles are lost there. Collective.
 void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 {
+    struct ::dem_scene_numbers scene;
     string open;
     word first;
 
@@ -130,7 +132,9 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
             open += (open.empty() ? "" : ", ") + patch.name();
         }
     }
-    if (!open.empty())
+    demCheck(dem_scene_numbers(particles_.core(), &scene));
+    const bool move = scene.moving_mass > 0 || scene.streams;
+    if (move && !open.empty())
     {
         warnings.append
         (

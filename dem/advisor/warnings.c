@@ -37,6 +37,12 @@ static int has_particles(const struct list *w)
     return w->p->scene.particles > 0.0 || w->p->scene.streams > 0;
 }
 
+/* 0 when all are frozen */
+static int has_free_particles(const struct list *w)
+{
+    return w->p->scene.moving_mass > 0.0 || w->p->scene.streams > 0;
+}
+
 /* ---- walls, gravity, drag -------------------------------------------------------------------- */
 
 static void warn_of_walls(struct list *w)
@@ -121,7 +127,7 @@ static void warn_of_gravity(struct list *w)
     const double *const g = w->p->scene.gravity, size = dem_plan_gravity(w->p);
     const double up = fabs(g[1]) > fabs(g[2]) ? g[1] : g[2];
 
-    if (size == 0.0)
+    if (size == 0.0 && has_free_particles(w))
     {
         begin(w);
         dem_text_add(
@@ -327,7 +333,7 @@ static int warn_of_impacts(struct list *w)
 {
     const char *lines;
 
-    DEM_TRY(dem_impact_text(w->p->d, fluid_speed(w), &lines));
+    DEM_TRY(dem_impact_text(w->p->d, has_free_particles(w) ? fluid_speed(w) : 0.0, &lines));
     add_lines(w, lines);
     return DEM_OK;
 }

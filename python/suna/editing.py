@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import (SunaError, as_text, number, numbers, switches, text, texts, vectors,
                          whole_numbers)
-from ._core import check
+from ._core import check, string
 from ._library import ffi, lib
 from .arrays import Arrays
 
@@ -43,6 +43,21 @@ class Editing(Arrays):
             file, path = tempfile.mkstemp(".suna", dir=None if core.single else ".")
             os.close(file)
         core.restart(describe, os.fsencode(core.shared(path)))
+
+    def value(self, path: str) -> str | None:
+        """Text of an entry of the scene, "time/end"; None where there is none."""
+        at = text("path", path)
+        with self._core_().scene() as scene:
+            found = lib.dem_scene_value(scene, at)
+            return None if found == ffi.NULL else string(found)
+
+    def names(self, path: str = "") -> list[str]:
+        """Names of the entries of a group of the scene"""
+        at, found = text("path", path), []    # type: bytes, list[str]
+        with self._core_().scene() as scene:
+            while (name := lib.dem_scene_name(scene, at, len(found))) != ffi.NULL:
+                found.append(string(name))
+        return found
 
     def change(self, entries: Mapping[str, Any]) -> None:
         """Change entries of the scene: {"effects/mindlin/friction": 0.5}. A dict replaces a group, None

@@ -97,21 +97,6 @@ class Simulation(Editing, Output):
         with self._core_().case("add_particles") as c:
             check(lib.dem_case_add_particles(c, n, particles))
 
-    def value(self, path: str) -> str | None:
-        """Text of an entry of the scene, "time/end"; None where there is none."""
-        at = text("path", path)
-        with self._core_().scene() as scene:
-            found = lib.dem_scene_value(scene, at)
-            return None if found == ffi.NULL else string(found)
-
-    def names(self, path: str = "") -> list[str]:
-        """Names of the entries of a group of the scene"""
-        at, found = text("path", path), []    # type: bytes, list[str]
-        with self._core_().scene() as scene:
-            while (name := lib.dem_scene_name(scene, at, len(found))) != ffi.NULL:
-                found.append(string(name))
-        return found
-
     def setup(self) -> Simulation:
         """Insert the particles and check all. Called by itself at first use. Collective."""
         with self._set_up():

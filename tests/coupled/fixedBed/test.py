@@ -28,6 +28,8 @@ for kernel in ("linear", "diffusion"):
     # e U against the flux: a usual volume-averaged solver loses more than half of it in the first cell
     claim(f"{kernel}: the first cell carries the flux (1 %)", close(void[0]*U[0], 0.3, 0.01))
     claim(f"{kernel}: the second cell carries the flux (2 %)", close(void[1]*U[1], 0.3, 0.02))
+    claim(f"{kernel}: frozen particles need no warnings of impacts and open patches",
+          not re.search("^WARNINGS", case.log(), re.M))
     claim(f"{kernel}: exchange closes", worst(case.log(), "exchange error") < 1e-12)
     claim(f"{kernel}: volume of the particles is kept", worst(case.log(), "volume error") < 1e-12)
     claim(f"{kernel}: continuity to the solver's tolerance", worst(case.log(), "sum local =") < 1e-8)
