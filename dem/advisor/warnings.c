@@ -306,14 +306,14 @@ static void warn_of_cells(struct list *w)
     const struct dem_run_info *const run = &w->p->run;
     const double d = w->regime.suspension.diameter;
 
-    if (run->resolution > 0.0 && !run->one_way && run->resolution < d*(1.0 - 1e-9))
+    if (run->resolution > 0.0 && !run->one_way && run->resolution < 0.75*d*(1.0 - 1e-9))
     {
         begin(w);
         dem_text_add(
             w->t,
-            "the smallest cell, %.3g m, or half the kernel's width, is less than a particle of %.3g m: cells become too "
-            "full, and each particle feels mainly its own wake; take kernel diffusion with width 3 in coupling, or cells of "
-            "two diameters\n",
+            "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells become "
+            "too full, and without ownWake each particle feels mainly its own wake; take kernel diffusion with width 3 in "
+            "coupling, or cells of two diameters\n",
             run->cell, d);
     }
     else if (d > 0.0 && run->cell > max_cell*d)

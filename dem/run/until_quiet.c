@@ -12,8 +12,8 @@
  *      weight, |P - P'| <= imbalance M |g| (t - t'), with P the momentum. A soft tall bed swings:
  *      at the turning point all particles are slow at once, but their weight is not carried.
  *
- *   3. no stream and no group is still to insert particles; with stages, none that has begun, and
- *      there are particles.
+ *   3. no stream and no group is still to insert particles. With stages, only those that have begun
+ *      count, and at least one particle must exist.
  *
  * A clump counts once, with its mass, in the mean, too.
  *

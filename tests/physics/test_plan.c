@@ -424,7 +424,7 @@ static void test_boulders(void)
     TAP_OK(number_after(text, "Time\n    ") > 0.0, "the time of two boulders is estimated: %g us a step",
            number_after(text, "Time\n    "));
     WORLD_TRY(dem_warnings(w, &(struct dem_run_info){.cell = 0.1, .resolution = 0.1}, 0, NULL, &text));
-    TAP_OK(strstr(text, "the smallest cell, 0.1 m") && strstr(text, "less than a particle of 0.3 m"),
+    TAP_OK(strstr(text, "the smallest cell, 0.1 m") && strstr(text, "less than 3/4 of a particle of 0.3 m"),
            "cells smaller than particles: a warning");
     WORLD_TRY(dem_warnings(w, &(struct dem_run_info){.cell = 400.0, .resolution = 400.0}, 0, NULL, &text));
     TAP_OK(strstr(text, "1.33e+03 diameters") && strstr(text, "scale 0.001"), "a mesh in mm: a warning");
