@@ -95,8 +95,18 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
     const struct dem_run_cost *const c = &p->cost;
     const double n = p->scene.particles, speed = p->scene.impact_speed, duration = run->duration;
 
+    const double span = run->reached_window > 0.0 ? run->reached_window
+                        : run->window > 0.0 ? run->window
+                                                  : duration;
+    const double steps = duration > 0.0 ? steps_of(span, p->scene.step)*duration/span : 0.0;
+
     if (n == 0.0)
     {
+        if (steps > 0.0)
+        {
+            dem_text_add(t, "Time\n    %.4g s ahead: %.4g steps; how long they take depends on the particles that "
+                         "streams insert\n", duration, steps);
+        }
         return;
     }
     write_memory(t, c);
@@ -109,10 +119,6 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
     {
         return;
     }
-    const double span = run->reached_window > 0.0 ? run->reached_window
-                        : run->window > 0.0 ? run->window
-                                                  : duration;
-    const double steps = steps_of(span, p->scene.step)*duration/span;
     const double at_rest = steps*n*c->step;
 
     dem_text_add(t,

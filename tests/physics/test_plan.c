@@ -433,6 +433,19 @@ static void test_boulders(void)
     dem_free(w);
 }
 
+/* No particles yet: the steps are known. */
+static void test_stream(void)
+{
+    struct dem *const w = world(
+        "materials { glass { density 2500; youngsModulus 1e7; } } effects { hertz { } } time { step 1e-6; } "
+        "insert { feed { type stream; rate 10; diameter 1e-3; min (0 0 0); max (0.01 0.01 0.01); } }",
+        0, NULL);
+
+    TAP_NEAR(number_after(plan(w, &(struct dem_run_info){.duration = 0.25}), "s ahead: "), 2.5e5, 1.0,
+             "the steps of a run that begins with a stream");
+    dem_free(w);
+}
+
 /*
  * Spheres of 1 mm, 2500 kg/m3, E 1e7 Pa, nu 0.3, k_m/k = 5, phi 0.05. At 1 m/s k = 1090.8212625 N/m
  * and d_lim = 6.25e-5 m (equations (1) and (2) of Open DEM Japan 2025 by hand). v_lim = d_lim
@@ -484,6 +497,7 @@ int main(void)
     test_expansion();
     test_law_of_its_own();
     test_boulders();
+    test_stream();
     test_yielding();
     test_bed_by_columns();
     test_cost();
