@@ -15,7 +15,7 @@ where the names of the repository's folders lead to the repository, and drop.dem
     <!-- controlDict -->                    added to system/controlDict of that bed
     <!-- text: WHY -->                      neither run nor looked up
     <!-- excerpt: FILE -->                  a part of this file of the repository
-    <!-- file: ... -->, <!-- dem effects -->, <!-- test: ... -->     compared by another suite
+    <!-- dem effects -->, <!-- test: ... -->     compared by another suite
 
 Without a comment a block is recognised:
 
@@ -315,10 +315,10 @@ class Manual:
     def kind(self, block):
         """how a block is run, the rest of its marker"""
         marker = block.marker or ""
-        match = re.match(r"(run|save|scene|case|text|test|file|excerpt):\s*(.*)$", marker, flags=re.S)
+        match = re.match(r"(run|save|scene|case|text|test|excerpt):\s*(.*)$", marker, flags=re.S)
         if match:
             kind, rest = match.groups()
-            return ("elsewhere", "") if kind in ("test", "file") else (kind, rest)
+            return ("elsewhere", "") if kind == "test" else (kind, rest)
         if marker in ("controlDict", "dem effects", "scene", "case"):
             return ("elsewhere" if marker == "dem effects" else marker), ""
         found = entries(re.sub(r"FoamFile[^\n]*\n", "", block.text))
