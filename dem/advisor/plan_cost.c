@@ -111,6 +111,14 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
     }
     write_memory(t, c);
     write_device(t, p->d);
+    if (c->step == 0.0)
+    {
+        dem_text_add(t,
+                     "Time\n    unknown: particles of a dense bed at rest move too far or overlap too much in steps of "
+                     "%.3g s with these laws; take a smaller step or stiffer particles\n",
+                     p->scene.step);
+        return;
+    }
     dem_text_add(
         t,
         "Time\n    %.3g us of processor time a particle and step, measured in a dense bed of %lld particles at rest\n",

@@ -238,7 +238,8 @@ int dem_effect_line(const struct dem *, int k, const struct dem_regime *, char *
 struct dem_run_cost
 {
     /* s of processor time for one particle of a dense bed: a step without list updates, rebuild of
-       the pair list, pruning to candidate contacts; of the slowest rank */
+       the pair list, pruning to candidate contacts; of the slowest rank. step is 0 if such a bed
+       fails: its particles move too far or overlap too much in a step */
     double step, rebuild, prune;
     int64_t particles;           /* in the block that was timed */
     double outer, inner;         /* m  movement after which lists are rebuilt and pruned */

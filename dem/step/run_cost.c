@@ -130,7 +130,8 @@ int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *
                          struct dem_run_cost *c)
 {
     struct dem_sample q;
-    double slowest[3];
+    double slowest[4];
+    int failed = 0;
 
     /* as many spheres as a rank has, so that they use the caches as the run will */
     const int64_t per_rank = s->all.n/p->decomposition.ranks;
@@ -146,15 +147,21 @@ int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *
     count_bytes(p, s, c);
     int status = dem_sample_block_make(&q, p, s, per_rank < max_block ? per_rank : max_block);
 
-    status = status ? status : time_steps(&q.state, dt, &c->step);
-    status = status ? status : time_lists(&q.state, &c->rebuild, &c->prune);
+    if (!status)
+    {
+        status = time_steps(&q.state, dt, &c->step);
+        failed = status == DEM_ERROR_NUMBER || status == DEM_ERROR_LOST;
+        status = failed ? DEM_OK : status;
+    }
+    status = status || failed ? status : time_lists(&q.state, &c->rebuild, &c->prune);
     c->particles = (int64_t)q.state.particles.n;
     dem_sample_block_free(&q);
     slowest[0] = status ? INFINITY : c->step;
+    slowest[3] = failed;
     slowest[1] = c->rebuild;
     slowest[2] = c->prune;
-    dem_totals_reduce_max(p, slowest, 3);
-    c->step = slowest[0];
+    dem_totals_reduce_max(p, slowest, 4);
+    c->step = slowest[3] > 0.0 ? 0.0 : slowest[0];
     c->rebuild = slowest[1];
     c->prune = slowest[2];
     return isfinite(slowest[0]) || status

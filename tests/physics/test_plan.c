@@ -433,6 +433,21 @@ static void test_boulders(void)
     dem_free(w);
 }
 
+/* A bed that is too soft for its weight fails in the block that is timed, not in the plan. */
+static void test_soft(void)
+{
+    struct dem *const w = world(
+        "materials { rock { density 2700; youngsModulus 1e3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz { } dry { restitution 0.4; } mindlin { friction 0.6; } }"
+        "walls { bin { type box; min (0 0 0); max (1 1 2); } }"
+        "insert { rocks { type random; count 20; diameter 0.15; min (0 0 0); max (1 1 2); } }",
+        0, NULL);
+
+    TAP_OK(strstr(plan(w, &(struct dem_run_info){.duration = 2.0}), "Time\n    unknown: particles of a dense bed"),
+           "a bed too soft for its weight: the plan says that its time is unknown");
+    dem_free(w);
+}
+
 /* No particles yet: the steps are known. */
 static void test_stream(void)
 {
@@ -497,6 +512,7 @@ int main(void)
     test_expansion();
     test_law_of_its_own();
     test_boulders();
+    test_soft();
     test_stream();
     test_yielding();
     test_bed_by_columns();
