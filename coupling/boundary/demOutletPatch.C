@@ -255,13 +255,18 @@ Foam::demOutletPatch::demOutletPatch(const fvMesh& mesh, const labelUList& first
 Foam::List<Foam::string> Foam::demOutletPatch::describe
 (
     const UList<point>& points,
-    const UList<vector>& velocities
+    const UList<vector>& velocities,
+    labelList* patch
 ) const
 {
     scalarList distance;
     const labelList code(nearest(points, velocities, distance));
 
     List<string> texts(points.size());
+    if (patch)
+    {
+        *patch = labelList(points.size(), -1);
+    }
     forAll(texts, k)
     {
         if (code[k] >= 0)
@@ -271,6 +276,10 @@ Foam::List<Foam::string> Foam::demOutletPatch::describe
                 << ", " << distance[k] << " m "
                 << (code[k] % 2 ? "behind" : "ahead");
             texts[k] = os.str();
+            if (patch)
+            {
+                (*patch)[k] = code[k]/2;
+            }
         }
     }
     return texts;

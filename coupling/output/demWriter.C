@@ -11,6 +11,7 @@
 #include "IOField.H"
 #include "Time.H"
 #include "DynamicList.H"
+#include <cmath>
 
 namespace Foam
 {
@@ -60,7 +61,7 @@ static void pack
     to.append(address[2*i + 1]);
     for (int k = 0; k < 3; k++)
     {
-        // Inside the mesh, where readers look for it; within a skin of a periodic face it may not be
+        // Readers look for it inside the mesh; within a skin of a periodic face it may be outside
         const scalar L = v.period[k];
         to.append(L > 0 ? x[k] - L*std::floor((x[k] - corner[k])/L) : x[k]);
     }

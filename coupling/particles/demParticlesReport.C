@@ -71,11 +71,12 @@ Foam::string Foam::demParticles::lostSentence
 ) const
 {
     const string longer(window_ > 0 ? longStep(outside.velocity) : string::null);
+    labelList exit;
     const List<string> patch
     (
         demOutletPatch(mesh_).describe
         (
-            pointField(1, outside.position), vectorField(1, outside.velocity)
+            pointField(1, outside.position), vectorField(1, outside.velocity), &exit
         )
     );
 
@@ -95,13 +96,10 @@ Foam::string Foam::demParticles::lostSentence
     else
     {
         os  << longer.c_str();
-        for (const polyPatch& open : mesh_.boundaryMesh())
+        if (exit[0] >= 0 && !dict().isWall(mesh_.boundaryMesh()[exit[0]]))
         {
-            if (!dict().isWall(open) && patch[0].find("patch " + open.name() + ",") != string::npos)
-            {
-                os  << "; where particles may pass it, give outlets { NAME { patch "
-                    << open.name() << "; } }";
-            }
+            os  << "; where particles may pass it, give outlets { NAME { patch "
+                << mesh_.boundaryMesh()[exit[0]].name() << "; } }";
         }
     }
     return os.str();

@@ -102,7 +102,7 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
 
     if (n == 0.0)
     {
-        if (steps > 0.0)
+        if (steps > 0.0 && p->scene.streams > 0)
         {
             dem_text_add(t, "Time\n    %.4g s ahead: %.4g steps; how long they take depends on the particles that "
                          "streams insert\n", duration, steps);

@@ -14,6 +14,7 @@ static const double max_modulus = 1e10;        /* Pa  softer particles move the 
 static const double costly_steps = 1e6;        /* of the run */
 static const double costly_window = 1e4;       /* DEM steps in a fluid step */
 static const double max_cell = 1000.0;         /* diameters  above it: a slip of the unit */
+static const double min_resolution = 0.75;     /* diameters  below it: cells become too full */
 static const double max_crossing = 0.5;        /* of the resolution: default of maxParticleCo */
 
 /* the list while it is written */
@@ -23,7 +24,8 @@ struct list
     const struct dem_plan *p;
     struct dem_regime regime;
     int n;
-    double step_cost;            /* s  of a particle and step; 0: not measured yet */
+    double step_cost;            /* s  of a particle and step; 0: not known */
+    int measured;
 };
 
 static void begin(struct list *w)
@@ -181,10 +183,11 @@ static int measure(struct list *w)
 {
     struct dem_run_cost cost;
 
-    if (w->step_cost == 0.0 && w->p->scene.particles > 0.0)
+    if (!w->measured && w->p->scene.particles > 0.0)
     {
         DEM_TRY(dem_run_cost(w->p->d, &cost));
         w->step_cost = cost.step;
+        w->measured = 1;
     }
     return DEM_OK;
 }
@@ -306,13 +309,13 @@ static void warn_of_cells(struct list *w)
     const struct dem_run_info *const run = &w->p->run;
     const double d = w->regime.suspension.diameter;
 
-    if (run->resolution > 0.0 && !run->one_way && run->resolution < 0.75*d*(1.0 - 1e-9))
+    if (run->resolution > 0.0 && !run->one_way && run->resolution < min_resolution*d*(1.0 - 1e-9))
     {
         begin(w);
         dem_text_add(
             w->t,
-            "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells become "
-            "too full, and without ownWake each particle feels mainly its own wake; take kernel diffusion with width 3 in "
+            "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells "
+            "become too full, and without ownWake each particle feels mainly its own wake; take kernel diffusion with width 3 in "
             "coupling, or cells of two diameters\n",
             run->cell, d);
     }

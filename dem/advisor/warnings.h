@@ -13,7 +13,8 @@
  *   fluid step           of more than 1e4 DEM steps: with its time
  *   fluid step           in which a particle crosses more than half of run.resolution: at its own
  *                        speed, a stream's, or the speed that fluid and gravity give it in the step
- *   cells                smaller than a particle; or so large that the mesh may be in mm
+ *   cells                narrower than 3/4 of a particle, also after smoothing; or wider than 1000
+ *                        particles: the mesh may be in mm
  *   impact speed         particles, streams, a wall (along its normal) or a fluid with drag faster
  *                        than impactSpeed, where the overlap of such an impact is above 5 % of a
  *                        diameter; above 20 % also slower ones

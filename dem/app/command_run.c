@@ -1,6 +1,6 @@
 /*
- * command_run.c -- `dem run SCENE`: takes the folder of the output, announces the run, makes it
- * (run_loop.h) and prints the hash of its end.
+ * command_run.c -- `dem run SCENE`: reserves the output folder, announces the run, runs the scene
+ * (run_loop.h) and prints the hash of the final state.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

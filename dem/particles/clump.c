@@ -1,5 +1,5 @@
 /*
- * clump.c -- a rigid body of several spheres, as the column of a sphere has it (formulas and source: clump.h).
+ * clump.c -- one rigid body of several spheres: rotation, spin, wrapping, places of new spheres (formulas and source: clump.h).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -78,7 +78,8 @@ int dem_clump_flow_index(struct dem_clump_flow *f, const struct dem_clumps *c, c
             const double mass = dem_clump_at(p, i)->mass, share = p->record[i].mass/mass;
 
             f->part[i] = (struct dem_clump_part){
-                .form = form, .which = (int)(form - f->form), .share = share, .mass = mass, .surface = share/form->sphericity,
+                .form = form, .which = (int)(form - f->form), .share = share, .mass = mass,
+                .surface = share/form->sphericity,
                 .q = c->group[c->place[body]/DEM_CLUMP_LANES].turned[c->place[body]%DEM_CLUMP_LANES]};
         }
     }
@@ -225,8 +226,8 @@ static void add_rest(const struct dem_clump_flow_rest *r, double h, double phi_s
 static void add_impulses(const struct dem_clump_slot *slot, const struct dem_clump_flow *f, const struct sums *s,
                          struct dem_particles *p, int rest, double h)
 {
-    double *const impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE), *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR),
-           *const time = dem_column(p, DEM_COLUMN_DRAG_TIME);
+    double *const impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE),
+           *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR), *const time = dem_column(p, DEM_COLUMN_DRAG_TIME);
     _Alignas(64) double J[4][DEM_CLUMP_LANES];
 
     find_drag(slot, f->row, s, h, J);

@@ -50,7 +50,7 @@ struct dem_clump_flow_rest                /* 0 where no law has it */
 struct dem_clump_part                 /* a sphere of a body: what stays the same */
 {
     const struct dem_clump_form *form;    /* NULL: a single sphere */
-    int which;                        /* its number; -1 */
+    int which;                        /* number of the form; -1: a single sphere */
     double share, mass;               /* 1, kg  w_k; M */
     double surface;                   /* 1  w_k times the surface of the body over the surface of the sphere of its
                                             volume, A/(pi d^2) */

@@ -88,7 +88,11 @@ void dem_clumps_load(struct dem_clumps *c, const struct dem_particles *p)
 
 void dem_clumps_store(struct dem_clumps *c, struct dem_particles *p)
 {
-    for (size_t k = 0; k < c->groups && c->ahead; k++)
+    if (!c->ahead)
+    {
+        return;
+    }
+    for (size_t k = 0; k < c->groups; k++)
     {
         const struct dem_clump_group *const g = &c->group[k];
 

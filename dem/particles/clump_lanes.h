@@ -26,7 +26,7 @@ struct dem_clump_group    /* bodies; struct dem_clump has the members */
     _Alignas(64) double mass[DEM_CLUMP_LANES];
     double inertia[3][DEM_CLUMP_LANES], x[3][DEM_CLUMP_LANES], v[3][DEM_CLUMP_LANES], q[4][DEM_CLUMP_LANES],
         momentum[3][DEM_CLUMP_LANES];
-    double turned[DEM_CLUMP_LANES][4];                 /* q, by bodies */
+    double turned[DEM_CLUMP_LANES][4];                 /* the same as q, four numbers of a body side by side */
     size_t first, end;    /* slots */
     int n, moves;         /* bodies; 0: frozen */
 };
@@ -38,7 +38,7 @@ struct dem_clump_slot     /* sphere k of each body of a group */
     uint32_t particle[DEM_CLUMP_LANES];
 };
 
-/* What lane c has of columns. */
+/* Initializers: the numbers of lane c. */
 #define DEM_CLUMP_LANE3(of) {(of)[0][c], (of)[1][c], (of)[2][c]}
 #define DEM_CLUMP_LANE4(of) {(of)[0][c], (of)[1][c], (of)[2][c], (of)[3][c]}
 
@@ -88,7 +88,7 @@ DEM_MATH void dem_clump_keep_turns(struct dem_clump_group *g)
     }
 }
 
-/* Fetch the lines [0, lines) of what the spheres of a group have in an array of elements of this size. */
+/* Prefetch the first cache lines of the elements of a group's spheres; `size`: bytes of an element. */
 DEM_MATH void dem_clump_prefetch(const struct dem_clump_group *g, const struct dem_clump_slot *slot,
                                  const void *array, size_t size, size_t lines)
 {

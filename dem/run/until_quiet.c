@@ -12,8 +12,8 @@
  *      weight, |P - P'| <= imbalance M |g| (t - t'), with P the momentum. A soft tall bed swings:
  *      at the turning point all particles are slow at once, but their weight is not carried.
  *
- *   3. no stream and no group is still to insert particles. With stages, only those that have begun
- *      count, and at least one particle must exist.
+ *   3. all streams and groups have inserted their particles. In a run with stages this concerns those that
+ *      have begun, and there must be a particle.
  *
  * A clump counts once, with its mass, in the mean, too.
  *
@@ -141,10 +141,10 @@ int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *
     const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
 
     q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
-    q->since = awaits_particles(d, t) || walls_move(d, q, t)
-                       || (double)q->move > q->moving*(double)t->bodies || !balanced(q, t) ? INFINITY
-             : isfinite(q->since) ? q->since
-                                  : t->time;
+    const int rests = !awaits_particles(d, t) && !walls_move(d, q, t)
+                   && (double)q->move <= q->moving*(double)t->bodies && balanced(q, t);
+
+    q->since = !rests ? INFINITY : isfinite(q->since) ? q->since : t->time;
     q->reached = t->time - q->since >= q->wait*(1.0 - 1e-9);
     q->tested = t->time;
     memcpy(q->momentum, t->momentum, sizeof q->momentum);

@@ -115,7 +115,7 @@ int dem_flows_due(const struct dem_state *);
    that have one. `step` seeds the random numbers. */
 int dem_flows_find_positions(struct dem_state *, int64_t step);
 
-/* 1 while a stream or a group with `at` that begins at this time [s] or before still inserts. */
+/* 1 while particles of a stream, or of a group with `at`, are missing. It looks at those that begin by this time [s]. */
 int dem_flows_insert_by(const struct dem_state *, double begun);
 
 /* Add the arrivals of this rank behind its owned particles, after the contact history has been

@@ -27,8 +27,9 @@ void dem_clump_batch_contacts(const struct dem_clumps *, const struct dem_contac
 int dem_index_clumps(struct dem_state *);
 
 /* After the sweep over all particles, with its options: kick the bodies, with or without a fluid, and
-   integrate their temperatures. Pass the particles of the state or of its backup. Returns the number of
-   temperatures that are out of their range. */
+   integrate their temperatures. Pass the particles of the state or of its backup. It kicks the lanes of
+   state->clumps in both cases: after a backup, call dem_clumps_store for the backup, then dem_clumps_load for the
+   state. Returns the number of temperatures that are out of their range. */
 int dem_kick_clumps(struct dem_state *, struct dem_particles *, const struct dem_body_sweep *);
 
 #endif

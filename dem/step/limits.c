@@ -158,7 +158,10 @@ static int check_turns(const struct dem_state *state)
 {
     const struct dem_clumps *const c = &state->clumps;
 
-    for (size_t k = 0; k < c->n && sqrt(c->max_spin_square)*state->dt > DEM_CLUMP_MAX_TURN; k++)
+    /* the drift has found the fastest spin; look for its body only where it is too fast */
+    const int any = sqrt(c->max_spin_square)*state->dt > DEM_CLUMP_MAX_TURN;
+
+    for (size_t k = 0; k < c->n && any; k++)
     {
         struct dem_clump body;
 

@@ -157,9 +157,9 @@ int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *
     c->particles = (int64_t)q.state.particles.n;
     dem_sample_block_free(&q);
     slowest[0] = status ? INFINITY : c->step;
-    slowest[3] = failed;
     slowest[1] = c->rebuild;
     slowest[2] = c->prune;
+    slowest[3] = failed;
     dem_totals_reduce_max(p, slowest, 4);
     c->step = slowest[3] > 0.0 ? 0.0 : slowest[0];
     c->rebuild = slowest[1];

@@ -59,6 +59,7 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
         {
             (void)dem_kick_clumps(state, &backup->particles, half_kick);
             dem_clumps_store(&state->clumps, &backup->particles);
+            /* the lanes are half a kick ahead of the state: take its own again */
             dem_clumps_load(&state->clumps, &state->particles);
         }
         dem_domain_constrain(&state->domain, &backup->particles);

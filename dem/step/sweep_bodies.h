@@ -38,7 +38,8 @@ struct dem_body_sweep    /* options of one sweep over all particles */
     double time;
     /* energy balance that sums the work; NULL: none */
     struct dem_energy_balance *energy_balance;
-    /* rigid bodies, which are kicked after the sweep, and the same in a fluid; NULL: none */
+    /* `bodies`: rigid bodies of several spheres, which are kicked after the sweep; the sweep keeps their contact
+       forces. `clumps`: what a fluid does to them. Arrivals have the second alone. NULL: none */
     const struct dem_clumps *bodies;
     const struct dem_clump_flow *clumps;
     /* particle scalars, integrated before the kick */

@@ -94,7 +94,7 @@ class CfdemCase(CoupledCase):
         add_kernel(self.coupling, self.dem.diameter, self.properties, self.report)
         if self.two_fluids and number != "II":
             self.report.refuse(self.coupling.where("modelType"), "modelType",
-                               "other than A; demInterFoam has set II alone")
+                               "must be A: demInterFoam solves equations of set II only")
         add_forces(self.coupling, number, self.properties, self.report, self.two_fluids)
         add_exchange(self.coupling, self.properties, self.report)
         self.read_interval()

@@ -36,7 +36,7 @@ REFUSED_FORCES = {
     "ShirgaonkarIB": RESOLVED, "ArchimedesIB": RESOLVED, "IBTorque": RESOLVED,
     "noDrag": "it switches off the forces of the others; leave those out that are not wanted, and "
               "noDrag",
-    "surfaceTensionForce": "a force of cfdemSolverMultiphase",
+    "surfaceTensionForce": "it needs two fluids, application cfdemSolverMultiphase; leave it out here",
     "DEMbasedDrag": "drag by a script of LIGGGHTS; name one of Suna's laws",
 }
 # settings of a force that do not change the answer, or not more than the exchange does
@@ -197,7 +197,7 @@ def add_forces(d, number, properties, report, two_fluids=False):
              if name not in names and not (name == "gradPForce" and number == "III")]
     if two_fluids and "surfaceTensionForce" not in names:
         report.approximated(place, "forceModels without surfaceTensionForce", "particles do not feel "
-                            "the capillary jump of the pressure, as with it")
+                            "the capillary jump of the pressure; there they do")
     if lacks:
         report.approximated(place, f"forceModels without {' and '.join(lacks)}", "pressureGradient "
                             "acts, with buoyancy: the equations need it")
@@ -273,7 +273,7 @@ def add_exchange(d, properties, report):
         elif name not in ("off", "noCouple"):
             report.refuse(place, f"momCoupleModels {name}",
                           "known are implicitCouple, explicitCouple, off")
-    # without a value it is on
+    # an entry without a value means on
     if as_text(d.tokens("useDDTvoidfraction", ["off"])) == "off":
         report.approximated(d.where("useDDTvoidfraction"), "useDDTvoidfraction off", "continuity "
                             "has the change of the void fraction, which is left out there")

@@ -1,10 +1,10 @@
 """cfdem_two_fluids.py -- the fluids of cfdemSolverMultiphase (CFDEMcoupling-PFM) as demInterFoam's.
 
-    prepare(case)       of a CfdemCase that is copied: transportProperties, alpha and p_rgh of demInterFoam
+    prepare(case)       writes transportProperties, alpha and p_rgh of demInterFoam into a copied CfdemCase
 
-There `phases` is a list with a dictionary for each fluid, `sigmas` has a number for each pair, and
-each fluid has its alpha; demInterFoam is for two fluids and has the alpha of the first. There a
-field rho is the result of the phases, so coupling/rho is not needed.
+cfdemSolverMultiphase lists a dictionary for each fluid in `phases`, a surface tension for each pair in
+`sigmas`, and has a field alpha for each fluid. demInterFoam has two fluids and the alpha of the first.
+Its field rho follows from the phases, so the case needs no coupling/rho.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -12,7 +12,7 @@ from .coupled_case import FIXED_VELOCITY, render
 from .foam_dictionary import Dictionary, Entry
 
 PROPERTIES = "constant/transportProperties"
-# through which nothing flows but what U says
+# conditions of U that give the flux through the patch
 HOLDS = (*FIXED_VELOCITY, "noSlip", "slip", "movingWallVelocity", "rotatingWallVelocity")
 
 
@@ -41,7 +41,7 @@ def read_fluids(case):
             sigma = d.numbers("sigmas", [value], 1, "number")[0]
             d.translated("sigmas", "sigma")
             return fluids, sigma
-    d.refuse("sigmas", f"has no surface tension of {' and '.join(fluids)}; add it, 0 without")
+    d.refuse("sigmas", f"has no surface tension of {' and '.join(fluids)}; add it, 0 for none")
 
 
 def plain(d):
@@ -74,8 +74,12 @@ def choose_alpha(case, names):
         if inner.word("type", "none") == "alphaContactAngle":
             inner.refuse("type", f"of {patch} has the angles of many fluids; write interFoam's "
                          "constantAlphaContactAngle", "alphaContactAngle")
-    if f"alpha.{first}" not in case.read("system/fvSolution").sub("solvers"):
-        case.change("system/fvSolution", f"solvers {{ alpha.{first} {{ cAlpha 1; nAlphaSubCycles 1; }} }}")
+    solvers = case.read("system/fvSolution").sub("solvers")
+    if f"alpha.{first}" not in solvers:
+        # there all fractions have the settings of `alpha`; later entries replace earlier ones
+        case.change("system/fvSolution", "solvers", "{", f"    alpha.{first}", "    {",
+                    "        cAlpha 1;", "        nAlphaSubCycles 1;",
+                    *render(solvers.sub("alpha"), "        "), "    }", "}")
     for name in (f"alpha.{second}", "alphas"):
         for path in (case.zero/name, case.zero/(name + ".gz")):
             if path.exists():

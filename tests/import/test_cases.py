@@ -781,6 +781,11 @@ def two_fluids():
     assert "alpha.oil" in left and "alpha.air" not in left
     assert "rho" not in result.d.sub("coupling") and "pressureGradient" in result.d.sub("effects")
     assert not result.has(APPROXIMATED, "capillary") and two_fluids_case().has(APPROXIMATED, "capillary")
+    two_fluids_case(files={"CFD/system/fvSolution": changed(SYSTEM["system/fvSolution"], {
+        "solvers\n{": "solvers\n{ alpha { nAlphaSubCycles 4; cAlpha 2; }"})})
+    solution = read_dictionary(WORK/"result/system/fvSolution", "fvSolution", Report())
+    settings = solution.sub("solvers").sub("alpha.oil")
+    assert (settings.number("nAlphaSubCycles"), settings.number("cAlpha")) == (4, 2)
     name = "CFD/constant/transportProperties"
     for change, line, word in (({"air {": "gas {"}, 3, "no surface tension"), ({"rho 1.2;": ""}, 2, "rho"),
                                ({"1.2; }": "1.2; } water { rho 1000; }"}, 2, "two")):

@@ -3,8 +3,8 @@
 
     evaluate.py                writes result.csv and bed.png
 
-Slope of the beads  where the solid fraction falls through 0.3, column by column; a straight line through the middle half
-                    of the drum's width; means over blocks of 0.5 s from 1 s on, 95 % intervals from these blocks
+Slope of the beads  where the solid fraction falls through 0.3, column by column; a straight line through the middle
+                    half of the drum's width; means over blocks of 0.5 s from 1 s on, 95 % intervals from these blocks
 Flowing layer       velocity of the beads along the slope within a quarter of the radius of the axis, by distance from
                     the surface: the depth at which it vanishes, and the shear rate, a straight line down to there
 Slope of the water  a straight line through the height of the water in the middle half of the width, likewise
