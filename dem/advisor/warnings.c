@@ -71,8 +71,7 @@ static void warn_of_walls(struct list *w)
         }
     }
     dem_text_add(
-        w->t,
-        "%s: particles pass through; add a normal law and damping to effects, hertz {} dry { restitution 0.9; } "
+        w->t, "%s: particles pass through; add a normal law and damping to effects, hertz {} dry { restitution 0.9; } "
         "for example\n",
         all > listed ? " and others" : "");
 }
@@ -133,16 +132,14 @@ static void warn_of_gravity(struct list *w)
     {
         begin(w);
         dem_text_add(
-            w->t,
-            "no gravity: particles have no weight; give %s, (0 0 -9.81) for example, if they should have\n",
+            w->t, "no gravity: particles have no weight; give %s, (0 0 -9.81) for example, if they should have\n",
             entry);
     }
     else if (up > 0.9*size)
     {
         begin(w);
         dem_text_add(
-            w->t,
-            "gravity (%g %g %g) m/s2 points along +%c: particles rise; change the sign in %s if that is up\n",
+            w->t, "gravity (%g %g %g) m/s2 points along +%c: particles rise; change the sign in %s if that is up\n",
             g[0], g[1], g[2], fabs(g[1]) > fabs(g[2]) ? 'y' : 'z', entry);
     }
 }
@@ -219,8 +216,7 @@ static int warn_of_moduli(struct list *w)
                          m.name, m.youngs_modulus, step, steps);
             add_time(w, steps);
             dem_text_add(
-                w->t,
-                "; with %g Pa some %.2g times fewer, and the same motion as long as overlaps stay below 5 %%\n",
+                w->t, "; with %g Pa some %.2g times fewer, and the same motion as long as overlaps stay below 5 %%\n",
                 soft, pow(m.youngs_modulus/soft, 0.4));
         }
     }
@@ -254,8 +250,7 @@ static int warn_of_window(struct list *w)
                                        run->window));
         }
         dem_text_add(
-            w->t,
-            "; take a shorter deltaT and endTime in system/controlDict, or a softer material\n");
+            w->t, "; take a shorter deltaT and endTime in system/controlDict, or a softer material\n");
     }
     return DEM_OK;
 }
@@ -313,8 +308,7 @@ static void warn_of_cells(struct list *w)
     {
         begin(w);
         dem_text_add(
-            w->t,
-            "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells "
+            w->t, "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells "
             "become too full, and without ownWake each particle feels mainly its own wake; take kernel diffusion with width 3 in "
             "coupling, or cells of two diameters\n",
             run->cell, d);
@@ -323,8 +317,7 @@ static void warn_of_cells(struct list *w)
     {
         begin(w);
         dem_text_add(
-            w->t,
-            "the smallest cell, %.3g m, is %.3g diameters wide; if the mesh is in mm, give scale 0.001 in "
+            w->t, "the smallest cell, %.3g m, is %.3g diameters wide; if the mesh is in mm, give scale 0.001 in "
             "system/blockMeshDict, or use transformPoints -scale\n",
             run->cell, run->cell/d);
     }

@@ -96,23 +96,8 @@ struct sums    /* struct dem_clump_flow_sums of the bodies of a group */
     double z[DEM_CLUMP_LANES], phi[DEM_CLUMP_LANES], phi_spin[DEM_CLUMP_LANES];
 };
 
-/* Eight numbers of each sphere of a slot into columns. */
-DEM_MATH void gather_rows(const struct dem_clump_slot *s, const void *rows, double row[2][4][DEM_CLUMP_LANES])
-{
-    _Alignas(64) static const double none[8];
-    const double *from[DEM_CLUMP_LANES], *second[DEM_CLUMP_LANES];
-
-    for (int c = 0; c < DEM_CLUMP_LANES; c++)
-    {
-        from[c] = s->particle[c] == DEM_CLUMP_NO_SPHERE ? none : (const double *)rows + 8*(size_t)s->particle[c];
-        second[c] = from[c] + 4;
-    }
-    dem_clump_gather(from, row[0]);
-    dem_clump_gather(second, row[1]);
-}
-
 _Static_assert(sizeof(struct dem_clump_flow_row) == 64 && sizeof(struct dem_clump_flow_rest) == 64,
-               "gather_rows takes eight numbers");
+               "dem_clump_gather_rows takes eight numbers");
 
 DEM_MATH void add_rows(const struct dem_clump_slot *s, double row[4][4][DEM_CLUMP_LANES], struct sums *sum)
 {
@@ -159,10 +144,10 @@ static void kick_group(struct dem_clump_group *restrict g, const struct dem_clum
     }
     for (size_t k = g->first; k < g->end; k++)
     {
-        gather_rows(&slot[k], f->row, row);
+        dem_clump_gather_rows(&slot[k], f->row, row);
         if (rest)
         {
-            gather_rows(&slot[k], f->rest, row + 2);
+            dem_clump_gather_rows(&slot[k], f->rest, row + 2);
         }
         add_rows(&slot[k], row, s);
     }
@@ -192,7 +177,7 @@ static void find_drag(const struct dem_clump_slot *restrict slot, const struct d
 {
     _Alignas(64) double row[2][4][DEM_CLUMP_LANES];
 
-    gather_rows(slot, rows, row);
+    dem_clump_gather_rows(slot, rows, row);
     for (int c = 0; c < DEM_CLUMP_LANES; c++)
     {
         const double part =

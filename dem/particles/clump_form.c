@@ -255,14 +255,3 @@ void dem_clump_forms_along(const struct dem_clump_form *form, const int *which, 
     }
     along_rows(&form->inverse[0][0][0][0], start, n, rows, crosswise, lengthwise);
 }
-
-void dem_clump_form_along(const struct dem_clump_form *f, const double n[3], double *crosswise,
-                          double *lengthwise)
-{
-    double column[3][DEM_BATCH_ROWS];
-
-    column[0][0] = n[0];
-    column[1][0] = n[1];
-    column[2][0] = n[2];
-    dem_clump_forms_along(f, (const int[1]){0}, column, 1, crosswise, lengthwise);
-}

@@ -44,11 +44,8 @@ struct dem_clump_form
 /* `areas` 0: no projected areas. */
 void dem_clump_form_make(struct dem_clump_form *, const struct dem_clump_shape *, int areas);
 
-/* Crosswise and lengthwise sphericity for a slip along n, of any length; in principal axes. */
-void dem_clump_form_along(const struct dem_clump_form *, const double n[3], double *crosswise,
-                          double *lengthwise);
-
-/* The same for rows: row c has the form form[which[c]], or is a sphere where that is -1. */
+/* Crosswise and lengthwise sphericity of rows for slips along n, of any length, in principal axes. Row c has
+   the form form[which[c]], or is a sphere where that is -1. */
 void dem_clump_forms_along(const struct dem_clump_form *form, const int *which, double n[3][DEM_BATCH_ROWS], int rows,
                            double *crosswise, double *lengthwise);
 

@@ -3,7 +3,7 @@
  *
  * Each lane has the arithmetic, and the bits, of a body alone. Lanes follow each other in the order of the first
  * spheres in memory, so that bodies of a group are neighbors. Frozen bodies have groups of their own. Lanes without a
- * body repeat the first one; a lane whose body has no sphere k reads and writes a record that nobody uses.
+ * body repeat the first one; a lane whose body has no sphere k reads and writes an unused record.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -153,13 +153,13 @@ DEM_MATH void dem_clump_moment(const struct dem_clump_slot *s, double f[][DEM_CL
 DEM_MATH void dem_clump_set_motion(const struct dem_clump_slot *s, struct dem_particle *record,
                                    double v[3][DEM_CLUMP_LANES], double w[3][DEM_CLUMP_LANES])
 {
-    struct dem_particle nobody;
+    struct dem_particle unused;
     double *velocity[DEM_CLUMP_LANES], *spin[DEM_CLUMP_LANES];
 
-    nobody.inverse_mass = nobody.inverse_inertia = 0.0;
+    unused.inverse_mass = unused.inverse_inertia = 0.0;
     for (int c = 0; c < DEM_CLUMP_LANES; c++)
     {
-        struct dem_particle *const r = s->particle[c] == DEM_CLUMP_NO_SPHERE ? &nobody : record + s->particle[c];
+        struct dem_particle *const r = s->particle[c] == DEM_CLUMP_NO_SPHERE ? &unused : record + s->particle[c];
 
         velocity[c] = r->v;
         spin[c] = r->w;
@@ -168,28 +168,35 @@ DEM_MATH void dem_clump_set_motion(const struct dem_clump_slot *s, struct dem_pa
     dem_clump_scatter(w, spin);
 }
 
+/* Eight numbers of each sphere of a slot into columns; 0 where a body has no such sphere. */
+DEM_MATH void dem_clump_gather_rows(const struct dem_clump_slot *s, const void *rows, double row[2][4][DEM_CLUMP_LANES])
+{
+    _Alignas(64) static const double none[8];
+    const double *from[DEM_CLUMP_LANES], *second[DEM_CLUMP_LANES];
+
+    for (int c = 0; c < DEM_CLUMP_LANES; c++)
+    {
+        from[c] = s->particle[c] == DEM_CLUMP_NO_SPHERE ? none : (const double *)rows + 8*(size_t)s->particle[c];
+        second[c] = from[c] + 4;
+    }
+    dem_clump_gather(from, row[0]);
+    dem_clump_gather(second, row[1]);
+}
+
 /* Add force and moment of the contacts of a slot. */
 DEM_MATH void dem_clump_add_contacts(const struct dem_clump_slot *s, const double (*contact)[8],
                                      double F[3][DEM_CLUMP_LANES], double T[3][DEM_CLUMP_LANES])
 {
-    _Alignas(64) static const double none[8];
-    _Alignas(64) double f[4][DEM_CLUMP_LANES], t[4][DEM_CLUMP_LANES], moment[3][DEM_CLUMP_LANES];
-    const double *force[DEM_CLUMP_LANES], *torque[DEM_CLUMP_LANES];
+    _Alignas(64) double row[2][4][DEM_CLUMP_LANES], moment[3][DEM_CLUMP_LANES];
 
-    for (int c = 0; c < DEM_CLUMP_LANES; c++)
-    {
-        force[c] = s->particle[c] == DEM_CLUMP_NO_SPHERE ? none : contact[s->particle[c]];
-        torque[c] = force[c] + 4;
-    }
-    dem_clump_gather(force, f);
-    dem_clump_gather(torque, t);
-    dem_clump_moment(s, f, moment);
+    dem_clump_gather_rows(s, contact, row);
+    dem_clump_moment(s, row[0], moment);
     for (int a = 0; a < 3; a++)
     {
         for (int c = 0; c < DEM_CLUMP_LANES; c++)
         {
-            F[a][c] += f[a][c];
-            T[a][c] += moment[a][c] + t[a][c];
+            F[a][c] += row[0][a][c];
+            T[a][c] += moment[a][c] + row[1][a][c];
         }
     }
 }

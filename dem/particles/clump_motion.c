@@ -63,13 +63,13 @@ DEM_MATH void find_velocities(const struct dem_clump_group *g, const struct dem_
                               const struct dem_particle *record, const struct dem_domain *d, double dt,
                               double v[3][DEM_CLUMP_LANES])
 {
-    static const struct dem_particle nobody;
+    static const struct dem_particle unused;
     _Alignas(64) double x[4][DEM_CLUMP_LANES];
     const double *at[DEM_CLUMP_LANES];
 
     for (int c = 0; c < DEM_CLUMP_LANES; c++)
     {
-        at[c] = s->particle[c] == DEM_CLUMP_NO_SPHERE ? nobody.x : record[s->particle[c]].x;
+        at[c] = s->particle[c] == DEM_CLUMP_NO_SPHERE ? unused.x : record[s->particle[c]].x;
     }
     dem_clump_gather(at, x);
     for (int k = 0; k < 3; k++)

@@ -98,8 +98,7 @@ def fix_pressure(case):
                 velocity.sub("boundaryField").sub(name).word("type", "none") in HOLDS:
             case.report.translated(inner.where("type"), f"p_rgh/{name} {kind}",
                                    "fixedFluxPressure, so that layers at rest stay at rest")
-            inner.entries = [Entry("type", inner.place, ["fixedFluxPressure"]),
-                             Entry("value", inner.place, pressure.tokens("internalField"))]
+            case.fix_flux(inner, pressure)
             changed = True
     if changed:
         case.write_field("p_rgh", pressure, [f"// As CFD/{case.start}/p_rgh, with fixedFluxPressure where the "

@@ -232,6 +232,12 @@ class CoupledCase:
             if piso.entries:
                 report.translated(piso.place, "PISO", "PIMPLE with one outer corrector")
 
+    @staticmethod
+    def fix_flux(patch, pressure):
+        """fixedFluxPressure on a patch of the field pressure."""
+        patch.entries = [Entry("type", patch.place, ["fixedFluxPressure"]),
+                         Entry("value", patch.place, pressure.tokens("internalField"))]
+
     def fix_pressure(self, velocity, pressure):
         """fixedFluxPressure where the flux is given. Names of the patches that were changed."""
         changed = []
@@ -245,7 +251,6 @@ class CoupledCase:
                 self.report.translated(
                     inner.where("type"), f"p/{name} zeroGradient", "fixedFluxPressure: the "
                     "gradient inside balances the drag of particles at the inlet")
-                inner.entries = [Entry("type", inner.place, ["fixedFluxPressure"]),
-                                 Entry("value", inner.place, pressure.tokens("internalField"))]
+                self.fix_flux(inner, pressure)
                 changed.append(name)
         return changed
