@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_OPENCL_H
-#define TESTS_EFFECTS_OPENCL_H
+#pragma once
 
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
@@ -149,5 +148,3 @@ static int opencl_run(const char *kernel, size_t items, int buffers, void *const
     opencl.clReleaseKernel(k);
     return !error;
 }
-
-#endif
