@@ -122,21 +122,25 @@ static int put_conditions(struct dem_device *d, const struct dem_walls *w, int s
     return status;
 }
 
-int dem_device_begin_facets(struct dem_device *d, const struct dem_state *state)
+int dem_device_put_facets(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_walls *const w = &state->walls;
 
     DEM_TRY(put_facets(d, w));
     DEM_TRY(put_images(d, w));
     DEM_TRY(put_conditions(d, w, state->interaction_table.listed));
+    DEM_TRY(put_triangles(d, w));
+    return w->triangles > 0 ? put_grid(d, &state->pairs.wall_search) : DEM_OK;
+}
+
+int dem_device_begin_facets(struct dem_device *d, const struct dem_walls *w)
+{
     DEM_TRY(dem_device_has_facets(w) ? dem_opencl_kernel(d->cl, "wall_contacts", &d->of_facets)
                                      : DEM_OK);
-    if (w->triangles == 0)
+    if (dem_walls_count_triangles(w) == 0)
     {
         return DEM_OK;
     }
-    DEM_TRY(put_triangles(d, w));
-    DEM_TRY(put_grid(d, &state->pairs.wall_search));
     DEM_TRY(dem_opencl_kernel(d->cl, "lists_triangles", &d->of_triangles));
     return dem_opencl_kernel(d->cl, "lists_near", &d->of_near);
 }

@@ -69,6 +69,13 @@ static int turns_new_particles(const struct dem_state *state)
             dem_column(&state->particles, DEM_COLUMN_EDDY));
 }
 
+int dem_device_put_walls(struct dem_device *d, const struct dem_state *state)
+{
+    d->selections = state->wall_store.selections;
+    DEM_TRY(dem_device_put_facets(d, state));
+    return put_classes(d, state);
+}
+
 int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_interaction_table *const t = &state->interaction_table;
@@ -78,15 +85,15 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     {
         min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
     }
-    d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !turns_new_particles(state) &&
+    d->makes_lists = state->decomposition.ranks == 1 && state->pairs.max_radius <= SIZE_RATIO*min && !turns_new_particles(state) &&
                      state->particles.n < UINT32_MAX/(size_t)d->classes;
-    DEM_TRY(dem_device_begin_facets(d, state));
+    DEM_TRY(dem_device_begin_facets(d, &state->walls));
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->former_place, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));
-    return put_classes(d, state);
+    return dem_device_put_walls(d, state);
 }
 
 /* ---- the grid ---------------------------------------------------------------------------------- */

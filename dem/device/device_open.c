@@ -11,6 +11,8 @@
 #include "device/program.h"
 #include "device/self_test.h"
 #include "laws/effect.h"
+#include "ranks/agree.h"
+#include "ranks/collect.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -42,6 +44,8 @@ static int find_kernels(struct dem_device *d)
         DEM_TRY(dem_opencl_kernel(d->cl, lists[k], &d->of_lists[k]));
     }
     DEM_TRY(dem_opencl_kernel(d->cl, "bodies", &d->bodies));
+    DEM_TRY(dem_opencl_kernel(d->cl, "ghosts_pack", &d->pack_ghosts));
+    DEM_TRY(dem_opencl_kernel(d->cl, "ghosts_unpack", &d->unpack_ghosts));
     DEM_TRY(dem_opencl_kernel(d->cl, "wall_loads", &d->of_loads));
     return dem_opencl_kernel(d->cl, "clear_apart", &d->clear);
 }
@@ -119,27 +123,49 @@ void dem_device_count(const struct dem_device *d, struct dem_device_counts *c)
     *c = d->counts;
 }
 
+static void name_device(struct dem_device *d, const struct dem_state *state, int fitting)
+{
+    const struct dem_opencl_info *const info = dem_opencl_device(d->cl);
+    const int n = snprintf(d->name, sizeof d->name, "%s (%s, driver %s)", info->name, info->platform,
+                           info->driver);
+
+    if (state->decomposition.ranks > 1)
+    {
+        snprintf(d->name + n, sizeof d->name - (size_t)n, "; the ranks of a machine share %d such device%s",
+                 fitting, fitting > 1 ? "s" : "");
+    }
+}
+
+/* The first rank of a machine builds the program, the others find it in the cache. */
+static int open_in_turn(struct dem_device *d, struct dem_state *state, const char *wanted, int *fitting)
+{
+    const int rank = dem_collect_machine_rank(&state->decomposition);
+    int status = dem_opencl_open(&d->cl, wanted, rank, fitting);
+
+    for (int turn = 0; turn < 2; turn++)
+    {
+        status = status || (rank > 0) != turn ? status : build(d, state);
+        DEM_TRY(dem_agree(state, status));
+    }
+    status = put_constants(d, state);
+    return dem_agree(state, status ? status : dem_device_begin_lists(d, state));
+}
+
 int dem_device_begin(struct dem_state *state, const char *wanted)
 {
     struct dem_device *d;
-    int status;
+    int status, fitting = 0;
 
-    DEM_TRY(DEM_NEW(d, 1));
+    DEM_TRY(dem_agree(state, DEM_NEW(d, 1)));
     state->device = d;
     d->classes = state->interaction_table.classes;
-    status = dem_opencl_open(&d->cl, wanted);
-    status = status ? status : build(d, state);
-    status = status ? status : put_constants(d, state);
-    status = status ? status : dem_device_begin_lists(d, state);
+    status = open_in_turn(d, state, wanted, &fitting);
     if (status)
     {
         dem_device_free(state);
         return status;
     }
-    const struct dem_opencl_info *const info = dem_opencl_device(d->cl);
-
-    snprintf(d->name, sizeof d->name, "%s (%s, driver %s)", info->name, info->platform,
-             info->driver);
+    name_device(d, state, fitting);
     choose_skins(d, state);
     return DEM_OK;
 }
@@ -149,7 +175,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
-        &d->batch, &d->report, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
+        &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
         &d->rates, &d->applied, &d->ids,
         &d->candidate_start, &d->candidates, &a->near, &b->near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
