@@ -71,6 +71,7 @@ struct dem_device
                                            follows another one doubles them */
     double last_speed;                  /* m/s  largest of the last drift */
     double min_skin, max_skin;          /* m */
+    int list_steps;                     /* that lists are to last */
     struct dem_device_counts counts;
     struct dem_device_report seen;
     struct dem_device_frame *frame;     /* of the steps of a batch */

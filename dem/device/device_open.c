@@ -20,7 +20,8 @@
 enum
 {
     BED_ROWS = 8,      /* pairs a particle in a dense bed of equal spheres, with usual skins */
-    LIST_STEPS = 64    /* that lists last at the present largest speed, if skins allow */
+    LIST_STEPS = 64,   /* that lists last at the present largest speed, if skins allow; */
+    LIST_STEPS_OF_HOST = 256    /* those with ghosts, which the host makes */
 };
 
 /* ---- open and close ---------------------------------------------------------------------------- */
@@ -96,13 +97,14 @@ static void choose_skins(struct dem_device *d, struct dem_state *state)
 
     d->min_skin = outer;
     d->max_skin = fmax(max, outer);
+    d->list_steps = state->decomposition.ranks > 1 ? LIST_STEPS_OF_HOST : LIST_STEPS;
     dem_skins_init(s, (const double[2]){outer, outer}, 0, outer, d->max_skin);
     state->stale = state->stale == 2 ? 2 : 1;
 }
 
 double dem_device_skin(const struct dem_device *d, double speed, double dt)
 {
-    return fmin(fmax(d->min_skin, 2.0*LIST_STEPS*speed*dt), d->max_skin);
+    return fmin(fmax(d->min_skin, 2.0*d->list_steps*speed*dt), d->max_skin);
 }
 
 void dem_device_set_skins(struct dem_state *state, double speed)
@@ -140,7 +142,10 @@ static void name_device(struct dem_device *d, const struct dem_state *state, int
 static int open_in_turn(struct dem_device *d, struct dem_state *state, const char *wanted, int *fitting)
 {
     const int rank = dem_collect_machine_rank(&state->decomposition);
-    int status = dem_opencl_open(&d->cl, wanted, rank, fitting);
+    int status;
+
+    d->classes = state->interaction_table.classes;
+    status = dem_opencl_open(&d->cl, wanted, rank, fitting);
 
     for (int turn = 0; turn < 2; turn++)
     {
@@ -153,20 +158,16 @@ static int open_in_turn(struct dem_device *d, struct dem_state *state, const cha
 
 int dem_device_begin(struct dem_state *state, const char *wanted)
 {
-    struct dem_device *d;
-    int status, fitting = 0;
+    int fitting = 0, status = dem_agree(state, DEM_NEW(state->device, 1));
 
-    DEM_TRY(dem_agree(state, DEM_NEW(d, 1)));
-    state->device = d;
-    d->classes = state->interaction_table.classes;
-    status = open_in_turn(d, state, wanted, &fitting);
+    status = status ? status : open_in_turn(state->device, state, wanted, &fitting);
     if (status)
     {
         dem_device_free(state);
         return status;
     }
-    name_device(d, state, fitting);
-    choose_skins(d, state);
+    name_device(state->device, state, fitting);
+    choose_skins(state->device, state);
     return DEM_OK;
 }
 
