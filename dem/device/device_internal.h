@@ -100,11 +100,10 @@ int dem_device_get_particles(struct dem_device *, struct dem_state *);
 int dem_device_check(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
                      double skin, int *changes, int *end);
 
-/* device_lists.c: constants of lists; facets that this rank holds, and classes of contacts; new lists from the present positions, with this skin [m]
+/* device_lists.c: constants of lists; new lists from the present positions, with this skin [m]
    (outside: 1 when a particle has left the domain, so that the host has to look); largest
    displacement [m] since the lists were made; the present positions as its reference. */
 int dem_device_begin_lists(struct dem_device *, const struct dem_state *);
-int dem_device_put_walls(struct dem_device *, const struct dem_state *);
 int dem_device_make_lists(struct dem_device *, const struct dem_state *, double skin,
                           int *outside);
 int dem_device_displacement(struct dem_device *, const struct dem_state *, double *moved);
@@ -118,10 +117,10 @@ int dem_device_scan(struct dem_device *, struct dem_opencl_memory *, size_t n);
 /* The images of the rows, before particles and walls are wrapped. */
 int dem_device_keep_images(struct dem_device *);
 
-/* device_facets.c: facets, and triangles if there are any. Kernels; those that this rank holds; what the
-   host's lists say of wall rows; the image in the key of a wall row whose facet has an image of this code;
-   walls taken whole periods back; candidates, and what wall rows have to know, of new lists; the
-   arguments of the kernel of contacts, and its launch in step s. */
+/* device_facets.c: facets, and triangles if there are any. Kernels; those that this rank holds, with
+   classes of contacts; what the host's lists say of wall rows; the image in the key of a wall row whose
+   facet has an image of this code; walls taken whole periods back; candidates, and what wall rows have to
+   know, of new lists; the arguments of the kernel of contacts, and its launch in step s. */
 int dem_device_begin_facets(struct dem_device *, const struct dem_walls *);
 int dem_device_put_facets(struct dem_device *, const struct dem_state *);
 int dem_device_put_near(struct dem_device *, const struct dem_state *);

@@ -96,7 +96,7 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
     {
         return DEM_OK;
     }
-    DEM_TRY(d->selections != state->wall_store.selections ? dem_device_put_walls(d, state) : DEM_OK);
+    DEM_TRY(d->selections != state->wall_store.selections ? dem_device_put_facets(d, state) : DEM_OK);
     DEM_TRY(dem_device_put_ghosts(d, &state->halo));
     DEM_TRY(put_partners(d, state));
     DEM_TRY(put_entries(d, state));
