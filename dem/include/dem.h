@@ -178,11 +178,12 @@ struct dem_dict;
 const struct dem_dict *dem_case_dict(const struct dem_case *);
 const struct dem_dict *dem_scene_dict(const struct dem *);
 
-/* The same without that header, by path ("time/end"), for other languages. dem_scene_value: the
-   text of a value, its words separated by blanks, valid until the next call of this thread; NULL
-   for a group, and where there is no entry. dem_scene_name: the name of entry k of a group, from 0
-   ("" is the whole scene); NULL behind the last. dem_scene_skip: nothing will read this entry or
-   group. The first and the last count as reading it. */
+/* The same without that header, by path ("time/end"; "walls/jar/motion/0" for the first of a list of
+   dictionaries), for other languages. dem_scene_value: the text of a value, its words separated by
+   blanks, valid until the next call of this thread; NULL for a group, and where there is no entry.
+   dem_scene_name: the name of entry k of a group, from 0 ("" is the whole scene); NULL behind the
+   last. dem_scene_skip: nothing will read this entry or group. The first and the last count as
+   reading it. */
 const char *dem_scene_value(const struct dem_dict *, const char *path);
 const char *dem_scene_name(const struct dem_dict *, const char *path, int k);
 void dem_scene_skip(const struct dem_dict *, const char *path);

@@ -59,6 +59,15 @@ class Editing(Arrays):
                 found.append(string(name))
         return found
 
+    def entries(self, path: str = "") -> dict[str, Any]:
+        """A group of the scene as a dict of texts, with groups in it as dicts"""
+        found: dict[str, Any] = {}
+        for name in self.names(path):
+            at = f"{path}/{name}" if path else name
+            value = self.value(at)
+            found[name] = self.entries(at) if value is None else value
+        return found
+
     def change(self, entries: Mapping[str, Any]) -> None:
         """Change entries of the scene: {"effects/mindlin/friction": 0.5}. A dict replaces a group, None
         removes an entry or group: {"walls/gate": None}. Groups of `insert` that are new are inserted,

@@ -154,6 +154,11 @@ def scalars():
     assert list(warm.scalar("temperature")[order]) == [300, 293.15, 310, 293.15]
     warm.advance(1e-3)
     assert abs(warm.energy["residual"]) < 1e-13*warm.total("temperature")
+    edited, heat = warm.energy["edited"], warm.total("temperature")
+    warm.set_scalar("temperature", warm.scalar("temperature") + 5)
+    gain = warm.total("temperature") - heat
+    assert gain > 0 and abs(warm.energy["edited"] - edited - gain) < 1e-12*heat
+    assert abs(warm.energy["residual"]) < 1e-12*heat
     refused(lambda: warm.set([1], temperature=-5), "temperature", "from")
     refused(lambda: warm.set([1], colour=5), "colour", "temperature")
 
@@ -272,6 +277,35 @@ def walls():
     sim.advance(0.02)
     assert 0.7 < (height - sim.position[:, 2].mean())/(0.5*9.81*0.02**2) < 1.05
     refused(lambda: sim.wall("gate"), "gate", "box")
+
+
+def motions():
+    """the motion of a wall is a dict, a list of several, and that of the box for its faces; wear by triangles"""
+    sim = suna.Simulation(PHYSICS + """walls {
+        box { type box; material glass; min (-0.04 -0.04 -0.005); max (0.04 0.04 0.1); motion { type translation; velocity (0 0 0.1); } }
+        jar { type triangles; material glass; corners ((0.02 0 0) (0.03 0 0) (0.02 0.01 0)); wear { coefficient 1; hardness 1e9; }
+              motion ( { type rotation; origin (0 0 0); axis (0 0 1); omega 3; }
+                       { type translation; velocity (0 0 0.1); } ); } }
+        insert { ball { type list; material glass; diameter 1e-3; positions ((0.0225 0.0025 0.00049)); } }""")
+    jar = sim.wall("jar")
+    assert [one["type"] for one in jar.motion] == ["rotation", "translation"] and jar.motion[0]["omega"] == "3"
+    assert sim.wall("boxMaxX").motion == {"type": "translation", "velocity": "( 0 0 0.1 )"}
+    for motion in (None, {"type": "translation", "velocity": (0, 0, 1)}):
+        def set_face(motion=motion):
+            sim.wall("boxMaxX").motion = motion
+        refused(set_face, "boxMaxX", "walls/box/motion")
+    sim.change({"walls/box/motion": None})
+    sim.wall("boxMaxZ").motion = {"type": "translation", "velocity": (0, 0, -1)}
+    assert sim.wall("boxMaxZ").motion["velocity"] == "( 0 0 -1 )" and sim.wall("boxMinZ").motion == {}
+    sim.advance(1e-3)
+    assert jar.wear.shape == (1,) and jar.wear[0] > 0
+    refused(lambda: sim.wall("boxMaxZ").wear, "boxMaxZ", "wear")
+    jar.motion = jar.motion[1:]
+    assert jar.motion[0]["type"] == "translation"
+    corners = jar.corners
+    jar.motion = None
+    sim.advance(1e-3)
+    assert jar.motion == {} and abs(jar.corners - corners).max() < 1e-15
 
 
 def loads():
@@ -488,5 +522,5 @@ def tables():
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
     run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, clumps, diameters,
-              walls, loads, entries, forces, force_faults, until, views, tables)
+              walls, motions, loads, entries, forces, force_faults, until, views, tables)
     finish()
