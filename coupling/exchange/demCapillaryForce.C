@@ -69,7 +69,7 @@ Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
 {
     const word effect(particles.dict().effectWith(DEM_TRAIT_INTERFACE));
 
-    if (!tension_ || !particles.volumeAveraged())
+    if (!tension_ || (particles.twoWay() && !particles.volumeAveraged()))
     {
         FatalErrorInFunction
             << "The effect " << effect << " acts at the interface of two fluids, which gets the"

@@ -1,14 +1,14 @@
 /*
  * capillary_force.c -- surface tension of the interface of two fluids on a sphere that it crosses.
  *
- *   F = -2 pi sigma R sin(p) sin(p + theta) n,   cos(p) = -z/R,   0 where |z| >= R
+ *   F = -2 pi sigma R sin(p) sin(p + theta) n,   cos(p) = z/R,   0 where |z| >= R
  *     = -2 pi sigma (s^2 cos(theta) + z s sin(theta))/R n,   s^2 = R^2 - z^2
  *
  *   sigma   surface tension                                        [N/m]
  *   R       radius; s: radius of the contact line                  [m]
  *   z       height of the centre above the interface, along n      [m]
  *   n       unit normal of the interface, from phase 1 to phase 2  [1]
- *   p       angle of the contact line from the axis -n             [1]
+ *   p       angle of the contact line from the axis n              [1]
  *   theta   contact angle, measured in phase 1                     [1]
  *
  * The interface meets the sphere at its contact angle and pulls along itself: the force of a contact

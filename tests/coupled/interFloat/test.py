@@ -1,7 +1,7 @@
 """Small spheres, denser than the liquid, that surface tension holds at its surface (capillaryForce).
 
 - The largest load is 2 pi sigma R sin2(theta/2): 1 % less floats, 1 % more sinks. Half of it rests where the force of
-  the contact line, 2 pi sigma R sin(p) sin(p + theta) with cos(p) = -z/R, is its weight.
+  the contact line, -2 pi sigma R sin(p) sin(p + theta) with cos(p) = z/R, is its weight.
 - Below and above the surface the effect changes no bit of a sphere's path.
 - The liquid carries the load: momentum closes to round-off, and a sphere that floats at rest leaves the fluids at rest.
 - A case without surface tension, and other solvers, are refused.
@@ -18,8 +18,8 @@ capillary = f"capillaryForce {{ contactAngle {math.degrees(theta):.17g}; }}"
 
 def force(z):
     """Upwards, with the centre at this height above the surface."""
-    p = math.acos(-z/R)
-    return 2*math.pi*sigma*R*math.sin(p)*math.sin(p + theta)
+    p = math.acos(z/R)
+    return -2*math.pi*sigma*R*math.sin(p)*math.sin(p + theta)
 
 
 def buoyancy(z):
@@ -30,14 +30,15 @@ def buoyancy(z):
 def floats(name, effects, cells, spheres, coupling, end, kinds):
     case = TwoFluids(name)
     case.controls(end, 5e-4, write=end/4)
-    case.fluids((1000, 0.02), (1, 1e-3), sigma=sigma, tolerance=1e-11, correctors=2)
+    case.fluids((1000, 0.2), (1, 1e-3), sigma=sigma, tolerance=1e-11, correctors=2)
     case.box((0.024, 0.012, 0.024), cells, walls)
     case.fields(walls)
     case.alpha(lambda x: x[:, 2] < surface)
     case.grains(" ".join(f"{kind} {{ density {density:.17g}; youngsModulus 1e6; }}" for kind, density in kinds.items()),
                 f"hertz {{}} stokesDrag {{}} {effects}",
                 " ".join(f"of_{kind} {{ type list; material {kind}; diameter {d}; positions ({vector(x)}); }}"
-                         for kind, x in spheres.items()), coupling)
+                         for kind, x in spheres.items()), coupling,
+                f"walls {{ walls {{ material {next(iter(kinds))}; }} }}")
     return case
 
 
@@ -46,13 +47,13 @@ load = force(highest)
 claim("the largest load is 2 pi sigma R sin2(theta/2)", close(load, 2*math.pi*sigma*R*math.sin(theta/2)**2, 1e-12), load)
 kinds = {"light": (0.99*load + buoyancy(highest))/V/g, "heavy": (1.01*load + buoyancy(highest))/V/g,
          "half": (load/2 + buoyancy(-R*math.cos(theta)))/V/g, "below": 1100, "above": 1100}
-spheres = {kind: (0.003 + 0.0045*k, 0.0062, surface + highest) for k, kind in enumerate(kinds)}
+spheres = {kind: (0.003 + 0.0045*k, 0.0062, surface + highest + 0.15*R) for k, kind in enumerate(kinds)}
 spheres["half"] = (*spheres["half"][:2], surface - R*math.cos(theta))
 spheres["below"] = (*spheres["below"][:2], 0.009)
 spheres["above"] = (*spheres["above"][:2], 0.0225)
 paths = {}
 for name, effects in (("with", capillary), ("without", "")):
-    case = floats(name, effects, (12, 6, 24), spheres, "twoWay no;", 0.04, kinds)
+    case = floats(name, effects, (12, 6, 24), spheres, "twoWay no;", 0.4, kinds)
     claim_runs(f"{name} the effect: runs", case, "demInterFoam")
     paths[name] = np.array([case.particles(time, "positions", "U")[:, 1:] for time in case.times()])
 z = dict(zip(kinds, paths["with"][-1, :, 2] - surface))
