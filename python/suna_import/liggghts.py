@@ -58,7 +58,6 @@ HARMLESS = {
     "uncompute": "output",
     "compute_modify": "",
     "dump_modify": "",
-    "fix_modify": "",
     "soft_particles": "maxOverlap is a setting of the scene",
     "hard_particles": "any Young's modulus is taken",
     "pair_coeff": "",
@@ -256,6 +255,12 @@ class Translation(Head, Atoms, Restart):
     def _remove(self, name):
         liggghts_fixes.remove(self, name)
 
+    def do_fix_modify(self, words):
+        if words[1] == "integrate":
+            self.translated(liggghts_fixes.hold(self, words[0], words[2]))
+        else:
+            self.harmless()
+
     def do_reset_timestep(self, words):
         self.steps = self.whole(words[0])
         self.harmless("time goes on")
@@ -267,7 +272,10 @@ class Translation(Head, Atoms, Restart):
     def do_run(self, words):
         if self.step is None:
             self.refuse("there is no timestep before this line")
-        steps = self.whole(words[0])
+        asked = as_number(words[0], "number of steps")
+        steps = as_whole(str(math.floor(asked)))
+        if steps != asked:
+            self.harmless(f"{steps} steps: LIGGGHTS cuts off the fraction, too")
         if "upto" in words:
             steps = max(0, steps - self.steps)
         if "every" in words and words[words.after("every") + 1:] != ["NULL"]:

@@ -110,10 +110,11 @@ def read_model(words, place, word, report):
             break
         k += 2
     for value, known, what, lacks in (
-            (normal, NORMAL, "model", "no such normal law"),
+            (normal, NORMAL, "model", "no such normal law; jkr is an effect beside hertz"),
             (parts["tangential"], TANGENTIAL, "tangential", "no such friction"),
             (parts["rolling_friction"], ROLLING, "rolling_friction", "no such rolling resistance"),
-            (parts["cohesion"], COHESION, "cohesion", "no liquid bridges and no such cohesion"),
+            (parts["cohesion"], COHESION, "cohesion", "no such cohesion; for liquid bridges add "
+             "liquidBridge to the scene, for the adhesion of JKR jkr"),
             (parts["surface"], ("default",), "surface", "spheres only, each contact by itself")):
         if value not in known:
             report.refuse(place, f"{what} {value}", f"Suna has {lacks}; known: {', '.join(known)}")

@@ -4,6 +4,9 @@ liggghts_insert_fixes.py insertion.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import dataclasses
+import math
+
 import numpy
 
 from . import liggghts_heat, liggghts_insert_fixes, liggghts_wall_fixes
@@ -35,7 +38,8 @@ LOST = {                        # output that no entry of the scene writes: what
     "massflow/mesh": "flows.csv has what passes inlets and outlets; averages in a region have the "
     "mean velocity",
     "massflow/mesh/face": "averages in a region have the mean velocity"}
-LACKING = (("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
+LACKING = (("heat/gran/radiation", "not translated; add radiation to the scene (docs/heat.md)"),
+           ("massflow/mesh/sieve", "Suna has no sieve: particles pass a wall or do not"),
            ("heat/", "Suna has no such heat; known: heat/gran, heat/gran/conduction"),
            ("chem/", "Suna has no chemistry"), ("multisphere/", "clumps with this are not translated: write shapes"),
            ("particletemplate/", "spheres only are translated"),
@@ -116,6 +120,19 @@ def remove(t, name):
     t.frozen = [row for row in t.frozen if row[0] != name]
     t.forces = {key: value for key, value in t.forces.items() if key != name}
     t.driven = {key: value for key, value in t.driven.items() if key != name}
+
+
+def hold(t, name, word):
+    """fix_modify integrate: a wall moved by force stops or starts here."""
+    if word not in ("start", "stop"):
+        t.refuse("known: start, stop", f"integrate {word}")
+    for mesh in t.meshes.values():
+        moved = [m for m in mesh.motions if m.name == name]
+        if moved and word == "stop" and moved[-1].end > t.time:
+            moved[-1].end = t.time if moved[-1].start < t.time else -math.inf
+        elif moved and word == "start" and moved[-1].end <= t.time:
+            mesh.motions.append(dataclasses.replace(moved[-1], start=t.time, end=math.inf))
+    return f"the motion of the wall {word}s"
 
 
 def output(t, name, style, words):

@@ -73,6 +73,9 @@ def insertion(style):
         own = t.names.free("insert", as_name(name))
         rest = words[:]
         i = Insertion(name, own, style, group, None, t.command.place, t.time)
+        if t.box is not None:
+            free = numpy.array([axis[0] != "p" for axis in t.boundary])
+            i.limits = numpy.where(free, [[-math.inf], [math.inf]], numpy.transpose(t.box))
         while rest:
             key = rest.pop(0)
             if key in AMOUNTS:

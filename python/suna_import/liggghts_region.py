@@ -122,18 +122,19 @@ class Region:
         low, high = self.bounds()
         return float(numpy.abs(direction) @ (high - low))
 
-    def entries(self, margin=0.0):
-        """Of a group or stream; the shape grown by a margin [m]."""
+    def entries(self, margin=0.0, limits=None):
+        """Of a group or stream; the shape grown by a margin [m], within limits (low, high)."""
         n = self.numbers
+        least, most = ([-math.inf]*3, [math.inf]*3) if limits is None else limits
         if self.style == "block":
             low, high = self.bounds()
-            return f"min {vector(low - margin)}; max {vector(high + margin)};"
+            return f"min {vector(numpy.maximum(low - margin, least))}; max {vector(numpy.minimum(high + margin, most))};"
         if self.style == "sphere":
             return f"sphere {{ centre {vector(n[:3])}; radius {text(n[3] + margin)}; }}"
         a, b, c = self._round()
         ends = numpy.empty((2, 3))
         ends[:, b], ends[:, c] = n[0], n[1]
-        ends[:, a] = n[3] - margin, n[4] + margin
+        ends[:, a] = max(n[3] - margin, least[a]), min(n[4] + margin, most[a])
         return (f"cylinder {{ from {vector(ends[0])}; to {vector(ends[1])}; "
                 f"radius {text(n[2] + margin)}; }}")
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .liggghts_expression import Dynamic, Expression, Malformed
-from .liggghts_words import BadWords, Words, as_number, as_whole
+from .liggghts_words import BadWords, Words, as_number, as_whole, written
 from .report import Place, collected
 
 MAX_COMMANDS = 100000       # executed, of a script with loops
@@ -177,7 +177,7 @@ class Script:
     def _reference(self, match):
         try:
             if match.group(2) is not None:
-                return repr(self.evaluate(match.group(2)))
+                return written(self.evaluate(match.group(2)))
             return self.text(match.group(1) or match.group(3))
         except Dynamic as error:
             self._fault(match.group(0), f"{error} is known only in a run of LIGGGHTS; write its "
@@ -188,8 +188,7 @@ class Script:
             self._fault(f"${{{name}}}", f"there is no such variable; give -var {name}=VALUE")
         style, values, index = self.variables[name]
         if style == "equal":
-            value = self.evaluate(values[0])
-            return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+            return written(self.evaluate(values[0]))
         if style == "atom":
             raise Dynamic(f"variable {name} of style atom")
         return str(values[index])

@@ -237,6 +237,10 @@ def mesh_servo(t, name, group, words):
     if axis is None or "target_val" not in found or "vel_max" not in found:
         t.refuse("axis, target_val and vel_max belong to it", "mesh/surface/stress/servo")
     force, speed = t.number(found["target_val"], "force"), t.positive(found["vel_max"], "velocity")
+    if force == 0:
+        t.refuse("a servo needs a load that is not 0", "target_val 0")
+    if force < 0:           # it presses against the axis
+        axis, force = -axis, -force
     mesh_stress(t, name, group, others)
     t.meshes[name].motions.append(Motion("servo", (*axis, force, speed), t.time, t.command.place,
                                          name=name))

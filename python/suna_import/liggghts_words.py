@@ -59,6 +59,11 @@ def as_number(word, what="number"):
     return float(word)
 
 
+def written(value):
+    """A value as LIGGGHTS replaces a variable by it: 0.3/1.5e-6 is 200000, not 199999.99999999997."""
+    return f"{value:.15g}"
+
+
 def as_whole(word, low=0, high=MOST):
     value = as_number(word, "whole number")
     if value != int(value) or not low <= value <= high:
