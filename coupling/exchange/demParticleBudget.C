@@ -184,7 +184,7 @@ void Foam::demParticleBudget::addParticles()
 
     if (exchange_.capillary() && particles_.react())
     {
-        budget_.gain("capillaryForce", T*gSum(exchange_.capillary()->onParticles()));
+        budget_.gain("particleTension", T*gSum(exchange_.capillary()->onParticles()));
     }
     budget_.gain("weight", weight);
     budget_.gain("held", -held);

@@ -244,7 +244,7 @@ int main(int argc, char *argv[])
             known[2] = fluidBudget::force("sources", forceOfSources());
             if (onParticles)
             {
-                known[3] = fluidBudget::force("capillaryForce", sumOf(-onParticles->onFaces()));
+                known[3] = fluidBudget::force("particleTension", sumOf(-onParticles->onFaces()));
             }
             // rho g z over whole cells, without the void fraction: `height` of the particles
             // subtracts the buoyancy

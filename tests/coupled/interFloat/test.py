@@ -4,7 +4,7 @@
   the contact line, -2 pi sigma R sin(p) sin(p + theta) with cos(p) = z/R, is its weight.
 - Below and above the surface the effect changes no bit of a sphere's path.
 - The liquid carries the load: momentum closes to round-off, and a sphere that floats at rest leaves the fluids at rest.
-- A case without surface tension, and other solvers, are refused.
+- A case without surface tension is refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -73,7 +73,7 @@ claim_runs("load: runs", case, "demInterFoam")
 table = case.table("postProcessing/dem/0/budget.csv")
 for axis in "xyz":
     terms = max(largest(table[name]) for name in table if name.endswith(f".p{axis}"))
-    for name, bound in (("rest", 1e-11), ("capillaryForce", 1e-12)):
+    for name, bound in (("rest", 1e-11), ("particleTension", 1e-12)):
         error = largest(table[f"{name}.p{axis}"])
         claim(f"load: {name}.p{axis} is 0 ({bound:g} of the largest term)", error < bound*terms, error, terms)
 z, w = case.particles(case.times()[-1], "positions", "U")[0, [3, 6]]
