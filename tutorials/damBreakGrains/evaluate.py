@@ -45,7 +45,7 @@ def diameter():
 
 def water(path):
     """Fraction of water of each cell: z, y, x."""
-    return results.field(path/"alpha.water").reshape(cells()[::-1])
+    return numpy.resize(results.field(path/"alpha.water"), cells()[::-1])
 
 
 def fronts(run):
