@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_BATCH_H
-#define DEM_LAWS_BATCH_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -248,5 +247,3 @@ struct dem_body_batch
     _Alignas(64) double spin_drag_wy[DEM_BATCH_ROWS];
     _Alignas(64) double spin_drag_wz[DEM_BATCH_ROWS];
 };
-
-#endif

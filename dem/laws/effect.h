@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_EFFECT_H
-#define DEM_LAWS_EFFECT_H
+#pragma once
 
 #include "core/error.h"
 #include "core/settings_table.h"
@@ -270,5 +269,3 @@ static inline int dem_effect_acts_past_touching(const struct dem_effect *e)
 {
     return e->stage == DEM_STAGE_BOND || e->stage == DEM_STAGE_FILM || e->reach != NULL;
 }
-
-#endif

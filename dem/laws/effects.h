@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_EFFECTS_H
-#define DEM_LAWS_EFFECTS_H
+#pragma once
 
 #include "laws/effect.h"
 
@@ -85,5 +84,3 @@ int dem_effect_is_alias(const struct dem_effect *, const char *word);
 /* Returns DEM_ERROR_INPUT with a message that lists the known names, most similar first.
    `where`: position in the input. */
 int dem_effects_unknown(const char *where, const char *name);
-
-#endif

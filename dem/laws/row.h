@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROW_H
-#define DEM_LAWS_ROW_H
+#pragma once
 
 #include "core/math.h"
 
@@ -79,5 +78,3 @@ struct dem_body_row
     /* in the order of the law's list */
     struct dem_body_scalar scalars[DEM_EFFECT_SCALARS];
 };
-
-#endif

@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_PARTICLES_H
-#define DEM_PARTICLES_PARTICLES_H
+#pragma once
 
 #include "dem_types.h"
 #include <stddef.h>
@@ -225,5 +224,3 @@ static inline double *dem_column(const struct dem_particles *p, enum dem_column_
 {
     return p->column[c].data;
 }
-
-#endif

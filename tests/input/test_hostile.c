@@ -24,14 +24,15 @@ static const char head[] =
 
 static char folder[] = "/tmp/test_hostile_XXXXXX";
 
-/* Read and set up a scene; returns its status. */
-static int run(const char *text)
+/* The status of a start from a scene, of a file or this text, and a snapshot unless NULL. */
+static int status_of(const char *file, const char *text, const char *snapshot)
 {
     struct dem_case *c;
     struct dem *d = NULL;
     int status = dem_case_create(&c, MPI_COMM_NULL);
 
-    status = status ? status : dem_case_scene_text(c, text, "scene");
+    status = status ? status : file ? dem_case_scene_file(c, file) : dem_case_scene_text(c, text, "scene");
+    status = status || !snapshot ? status : dem_case_load(c, snapshot);
     status = status ? status : dem_case_check(c);
     status = status ? status : dem_start(&c, &d);
     dem_case_free(c);
@@ -41,29 +42,7 @@ static int run(const char *text)
 
 static int run_file(const char *path)
 {
-    struct dem_case *c;
-    struct dem *d = NULL;
-    int status = dem_case_create(&c, MPI_COMM_NULL);
-
-    status = status ? status : dem_case_scene_file(c, path);
-    status = status ? status : dem_start(&c, &d);
-    dem_case_free(c);
-    dem_free(d);
-    return status;
-}
-
-static int load(const char *path)
-{
-    struct dem_case *c;
-    struct dem *d = NULL;
-    int status = dem_case_create(&c, MPI_COMM_NULL);
-
-    status = status ? status : dem_case_scene_text(c, head, "scene");
-    status = status ? status : dem_case_load(c, path);
-    status = status ? status : dem_start(&c, &d);
-    dem_case_free(c);
-    dem_free(d);
-    return status;
+    return status_of(path, NULL, NULL);
 }
 
 static void refused(int status, const char *words, const char *what)
@@ -82,7 +61,7 @@ static void refused_scene(const char *words, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
     va_end(arguments);
-    refused(run(text), words, text + n);
+    refused(status_of(NULL, text, NULL), words, text + n);
 }
 
 /* ---- files ----------------------------------------------------------------------------------- */
@@ -111,7 +90,7 @@ static void other_files(const char *path, const char *kind)
     refused_scene(kind, "walls { w { type stl; file \"%s\"; } }", path);
     refused_scene(kind, "insert { r { type random; count 1; sizes { type table; file \"%s\"; } "
                   "min (0 0 0); max (1 1 1); } }", path);
-    refused(load(path), kind, "a snapshot");
+    refused(status_of(NULL, head, path), kind, "a snapshot");
 }
 
 /* Each of these files includes the next one ten times: 1e11 files. */

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_CAPILLARY_FORCE_H
-#define DEM_LAWS_CAPILLARY_FORCE_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -26,5 +25,3 @@ DEM_MATH void dem_capillary_force_row(const struct dem_capillary_force *l, struc
     r->fy += force*r->tension_y;
     r->fz += force*r->tension_z;
 }
-
-#endif
