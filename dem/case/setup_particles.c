@@ -18,7 +18,6 @@
 #include "sources/residence.h"
 #include "records/totals.h"
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* The k-th particle of dem_case_add_particles, with the density of its material. */
