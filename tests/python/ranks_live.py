@@ -77,7 +77,7 @@ sim = suna.Simulation(SCENE, {"effects/conduction": "{}", "materials/glass/condu
                               "materials/glass/heatCapacity": 800, "materials/steel/conductivity": 1,
                               "materials/steel/heatCapacity": 800}, comm=world, energy=True)
 sim.set_scalar("temperature", 300 + 1e3*sim.position[:, 2])
-fails(lambda: sim.set_scalar("temperature", [1.0] if world.rank == world.size - 1 else 300), suna.SunaError)
+fails(lambda: sim.set_scalar("temperature", numpy.full(len(sim) + 2*(world.rank == world.size - 1), 300)), suna.SunaError)
 sim.advance(0.01)
 found += [sim.hash, sim.energy["edited"], sim.total("temperature")]
 sim.close()
