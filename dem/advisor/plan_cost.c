@@ -74,7 +74,7 @@ static void write_memory(struct dem_text *t, const struct dem_run_cost *c)
     dem_text_add(t, ", and %s for its backup copy (lastGood)\n", dem_text_bytes(c->copy));
 }
 
-static void write_device(struct dem_text *t, const struct dem *d)
+static void write_device(struct dem_text *t, const struct dem *d, int ranks)
 {
     const double bytes = dem_device_bytes(d);
 
@@ -84,8 +84,9 @@ static void write_device(struct dem_text *t, const struct dem *d)
     }
     if (bytes > 0.0)
     {
-        dem_text_add(t, "    %s of its memory as a dense bed; its run time is not known before a run, "
-                     "the time below is the CPU's\n", dem_text_bytes(bytes));
+        dem_text_add(t, "    %s of its memory%s as a dense bed; its run time is not known before a run, "
+                     "the time below is the CPU's\n", dem_text_bytes(bytes),
+                     ranks > 1 ? " a rank" : "");
     }
 }
 
@@ -110,7 +111,7 @@ void dem_plan_cost(struct dem_text *t, const struct dem_plan *p)
         return;
     }
     write_memory(t, c);
-    write_device(t, p->d);
+    write_device(t, p->d, c->ranks);
     if (c->step == 0.0)
     {
         dem_text_add(t,

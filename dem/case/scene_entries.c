@@ -7,10 +7,12 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "input/dictionary.h"
+#include <stdlib.h>
 #include <string.h>
 
-/* The entry of a path; NULL: there is none. Groups on the way count as read. */
-static const struct dem_entry *find(const struct dem_dict *d, const char *path)
+/* The entry of a path; NULL: there is none. `group`: its dictionary, NULL for a value; a number in the path chooses
+   one of a list of dictionaries. Groups on the way count as read. */
+static const struct dem_entry *find(const struct dem_dict *d, const char *path, const struct dem_dict **group)
 {
     const struct dem_entry *found = NULL;
 
@@ -29,17 +31,26 @@ static const struct dem_entry *find(const struct dem_dict *d, const char *path)
         }
         path = path[n] ? path + n + 1 : NULL;
         d = found && dem_entry_is_dict(found) ? dem_entry_dict(found) : NULL;
+        if (found && !d && path && *path >= '0' && *path <= '9')
+        {
+            char *end;
+
+            d = dem_entry_item(found, strtoul(path, &end, 10));
+            path = *end == '/' ? end + 1 : *end ? path : NULL;
+        }
     }
+    *group = d;
     return path ? NULL : found;
 }
 
 const char *dem_scene_value(const struct dem_dict *scene, const char *path)
 {
     static _Thread_local struct dem_text value;
-    const struct dem_entry *const e = find(scene, path);
+    const struct dem_dict *group;
+    const struct dem_entry *const e = find(scene, path, &group);
 
     dem_text_free(&value);
-    if (!e || dem_entry_is_dict(e))
+    if (!e || group)
     {
         return NULL;
     }
@@ -52,9 +63,12 @@ const char *dem_scene_value(const struct dem_dict *scene, const char *path)
 
 const char *dem_scene_name(const struct dem_dict *scene, const char *path, int k)
 {
-    const struct dem_entry *const group = path[0] ? find(scene, path) : NULL;
-    const struct dem_dict *const in =
-        !path[0] ? scene : group && dem_entry_is_dict(group) ? dem_entry_dict(group) : NULL;
+    const struct dem_dict *in = scene;
+
+    if (path[0] && !find(scene, path, &in))
+    {
+        return NULL;
+    }
     const struct dem_entry *const e = in && k >= 0 ? dem_dict_entry(in, (size_t)k) : NULL;
 
     return e ? dem_entry_name(e) : NULL;
@@ -62,11 +76,12 @@ const char *dem_scene_name(const struct dem_dict *scene, const char *path, int k
 
 void dem_scene_skip(const struct dem_dict *scene, const char *path)
 {
-    const struct dem_entry *const e = find(scene, path);
+    const struct dem_dict *group;
+    const struct dem_entry *const e = find(scene, path, &group);
 
-    if (e && dem_entry_is_dict(e))
+    if (e && group)
     {
-        dem_dict_mark_read(dem_entry_dict(e));
+        dem_dict_mark_read(group);
     }
     else if (e)
     {

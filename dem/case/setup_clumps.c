@@ -69,7 +69,6 @@ static int refuse_entries(const struct dem_case *c)
     } entries[] = {
         {"domain/flat", box->flat[0] || box->flat[1] || box->flat[2]},
         {"parcels", d->state.interaction_table.parcels.used},
-        {"forces", d->state.applied_forces.n > 0},
         {"start/frozen", d->scene.start_frozen >= 0 && d->scene.snapshot != NULL},
         {"a drag law with the mean diameter around a particle",
           (dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_MEAN_DIAMETER) != 0},

@@ -161,7 +161,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 
 #ifdef COLUMN_ORIENTATION
         global double *const turned =
-            columns + (size_t)COLUMN_ORIENTATION*b->particles + 4*(size_t)i;
+            columns + (size_t)COLUMN_ORIENTATION*b->column + 4*(size_t)i;
         double turn_of[4] = {turned[0], turned[1], turned[2], turned[3]};
 
         dem_turn(w.x, w.y, w.z, 0.5*b->dt, turn_of);
@@ -194,7 +194,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #endif
 #endif
 #if FLUID || SCALARS
-        const uint n = b->particles;
+        const uint n = b->column;
 #endif
 #if SCALARS
         struct dem_particle_scalars q;

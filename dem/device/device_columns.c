@@ -86,6 +86,12 @@ int dem_device_columns_text(const struct dem_particles *p, struct dem_text *text
         }
         before += c.of ? (size_t)c.of->width : 0;
     }
+    dem_text_add(text, "#define GHOST_COLUMNS %d\nconstant uint dem_ghost_column[] = {0", p->ghost_step.n);
+    for (int k = 0; k < p->ghost_step.n; k++)
+    {
+        dem_text_add(text, ", COLUMN_FURTHER_%d", p->ghost_step.column[k] - DEM_COLUMNS);
+    }
+    dem_text_add(text, "};\n");
     if (p->batch.n == 1)
     {
         dem_text_add(text, "#define COLUMN_VISCOSITY COLUMN_FURTHER_%d\n",
@@ -107,7 +113,7 @@ size_t dem_device_columns_width(const struct dem_particles *p)
     return width;
 }
 
-/* Each column, or those that change, one way or the other. */
+/* Each column with its ghosts, or those that change without, one way or the other. */
 static int copy(struct dem_opencl *cl, const struct dem_opencl_memory *m,
                 const struct dem_particles *p, int back)
 {
@@ -116,17 +122,17 @@ static int copy(struct dem_opencl *cl, const struct dem_opencl_memory *m,
     for (int k = 0; k < COLUMNS; k++)
     {
         const struct column c = column_at(p, k);
-        const size_t bytes = c.of ? (size_t)c.of->width*p->n*sizeof(double) : 0;
+        const size_t one = c.of ? (size_t)c.of->width*sizeof(double) : 0, all = (p->n + p->ghosts)*one;
 
         if (c.of && !back)
         {
-            DEM_TRY(dem_opencl_write(cl, m, before, bytes, c.of->data));
+            DEM_TRY(dem_opencl_write(cl, m, before, all, c.of->data));
         }
         if (c.of && back && c.changes)
         {
-            DEM_TRY(dem_opencl_read(cl, m, before, bytes, c.of->data));
+            DEM_TRY(dem_opencl_read(cl, m, before, p->n*one, c.of->data));
         }
-        before += bytes;
+        before += all;
     }
     return DEM_OK;
 }

@@ -122,21 +122,55 @@ static int put_conditions(struct dem_device *d, const struct dem_walls *w, int s
     return status;
 }
 
-int dem_device_begin_facets(struct dem_device *d, const struct dem_state *state)
+/* Classes of pairs by both materials; of walls by facet and material. */
+static int put_classes(struct dem_device *d, const struct dem_state *state)
+{
+    const struct dem_interaction_table *const t = &state->interaction_table;
+    const struct dem_walls *const w = &state->walls;
+    const size_t m = DEM_MATERIALS, pairs = m*m, walls = m*(size_t)w->facets;
+
+    DEM_TRY(DEM_GROW(d->word, d->words, pairs + walls));
+    for (size_t a = 0; a < m; a++)
+    {
+        for (size_t b = 0; b < m; b++)
+        {
+            d->word[a*m + b] = (uint32_t)t->class_of[DEM_PARTNER_PARTICLE][a][b];
+        }
+        for (size_t f = 0; f < (size_t)w->facets; f++)
+        {
+            const struct dem_wall *const wall = &w->wall[w->facet[f].wall];
+
+            d->word[pairs + f*m + a] =
+                (uint32_t)t->class_of[DEM_PARTNER_WALL + wall->frictionless][a][wall->material];
+        }
+    }
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->pair_class, pairs*sizeof *d->word));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->wall_class, walls*sizeof *d->word));
+    DEM_TRY(dem_opencl_write(d->cl, &d->pair_class, 0, pairs*sizeof *d->word, d->word));
+    return dem_opencl_write(d->cl, &d->wall_class, 0, walls*sizeof *d->word, d->word + pairs);
+}
+
+int dem_device_put_facets(struct dem_device *d, const struct dem_state *state)
 {
     const struct dem_walls *const w = &state->walls;
 
+    d->selections = state->wall_store.selections;
+    DEM_TRY(put_classes(d, state));
     DEM_TRY(put_facets(d, w));
     DEM_TRY(put_images(d, w));
     DEM_TRY(put_conditions(d, w, state->interaction_table.listed));
+    DEM_TRY(put_triangles(d, w));
+    return w->triangles > 0 ? put_grid(d, &state->pairs.wall_search) : DEM_OK;
+}
+
+int dem_device_begin_facets(struct dem_device *d, const struct dem_walls *w)
+{
     DEM_TRY(dem_device_has_facets(w) ? dem_opencl_kernel(d->cl, "wall_contacts", &d->of_facets)
                                      : DEM_OK);
-    if (w->triangles == 0)
+    if (dem_walls_count_triangles(w) == 0)
     {
         return DEM_OK;
     }
-    DEM_TRY(put_triangles(d, w));
-    DEM_TRY(put_grid(d, &state->pairs.wall_search));
     DEM_TRY(dem_opencl_kernel(d->cl, "lists_triangles", &d->of_triangles));
     return dem_opencl_kernel(d->cl, "lists_near", &d->of_near);
 }

@@ -42,12 +42,14 @@ struct dem_device
     struct dem_opencl_kernel *of_rows[DEM_DEVICE_CLASSES], *bodies, *clear;
     struct dem_opencl_kernel *of_lists[DEM_LISTS_KERNELS];
     struct dem_opencl_kernel *of_facets, *of_triangles, *of_near;    /* NULL: not needed */
-    struct dem_opencl_kernel *of_loads;
+    struct dem_opencl_kernel *of_loads, *pack_ghosts, *unpack_ghosts;
 
     /* constants, a batch of steps and its report */
     struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class;
     struct dem_opencl_memory triangles, grid_first, grid, images;
     struct dem_opencl_memory batch, report;
+    /* of several ranks: particles that are sent, ghosts that are received, their numbers */
+    struct dem_opencl_memory ghosts_out, ghosts_in, ghosts;
     /* of particles, and a copy from before the batch */
     struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
     /* of rows: the present lists and those before; results of a step; a copy */
@@ -63,11 +65,13 @@ struct dem_device
     int renumbered;                     /* 1: particles have other places since the present lists: former_place */
     int own;                            /* 1: the present lists are made here, not on the host */
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */
+    int64_t selections;                 /* of the triangles that this rank holds and are here */
     int64_t host_until;                 /* up to this step the host makes the steps */
     int64_t wait;                       /* steps added there after the next event: each event that
                                            follows another one doubles them */
     double last_speed;                  /* m/s  largest of the last drift */
     double min_skin, max_skin;          /* m */
+    int list_steps;                     /* that lists are to last */
     struct dem_device_counts counts;
     struct dem_device_report seen;
     struct dem_device_frame *frame;     /* of the steps of a batch */
@@ -113,10 +117,12 @@ int dem_device_scan(struct dem_device *, struct dem_opencl_memory *, size_t n);
 /* The images of the rows, before particles and walls are wrapped. */
 int dem_device_keep_images(struct dem_device *);
 
-/* device_facets.c: facets, and triangles if there are any. Constants; what the host's lists say of wall
-   rows; the image in the key of a wall row whose facet has an image of this code; walls taken whole periods back; candidates, and what wall rows have to know, of new lists; the
-   arguments of the kernel of contacts, and its launch in step s. */
-int dem_device_begin_facets(struct dem_device *, const struct dem_state *);
+/* device_facets.c: facets, and triangles if there are any. Kernels; those that this rank holds, with
+   classes of contacts; what the host's lists say of wall rows; the image in the key of a wall row whose
+   facet has an image of this code; walls taken whole periods back; candidates, and what wall rows have to
+   know, of new lists; the arguments of the kernel of contacts, and its launch in step s. */
+int dem_device_begin_facets(struct dem_device *, const struct dem_walls *);
+int dem_device_put_facets(struct dem_device *, const struct dem_state *);
 int dem_device_put_near(struct dem_device *, const struct dem_state *);
 uint32_t dem_device_facet_image(const struct dem_walls *, const struct dem_facet *, uint32_t code,
                                 uint32_t particle);
@@ -140,6 +146,14 @@ int dem_device_give_loads(struct dem_device *);
 int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint32_t s);
 int dem_device_add_sums(struct dem_device *, struct dem_state *);
 int dem_device_has_wall_work(const struct dem_state *);
+
+/* device_ghosts.c: with several ranks. The ghosts of new lists of the host; in step s: send them, and agree
+   on errors and on the largest speed^2 [m2/s2] of all ranks, infinite after an event; what has been
+   received. */
+int dem_device_put_ghosts(struct dem_device *, const struct dem_halo *);
+int dem_device_send_ghosts(struct dem_device *, struct dem_state *, uint32_t s, int status,
+                           double *fastest);
+int dem_device_receive_ghosts(struct dem_device *, const struct dem_state *);
 
 /* All memory in turn, for k from 0; NULL past the last. */
 struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);

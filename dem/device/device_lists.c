@@ -20,34 +20,6 @@ enum
 
 /* ---- constants --------------------------------------------------------------------------------- */
 
-/* Classes of pairs by both materials; of walls by facet and material. */
-static int put_classes(struct dem_device *d, const struct dem_state *state)
-{
-    const struct dem_interaction_table *const t = &state->interaction_table;
-    const struct dem_walls *const w = &state->walls;
-    const size_t m = DEM_MATERIALS, pairs = m*m, walls = m*(size_t)w->facets;
-
-    DEM_TRY(DEM_GROW(d->word, d->words, pairs + walls));
-    for (size_t a = 0; a < m; a++)
-    {
-        for (size_t b = 0; b < m; b++)
-        {
-            d->word[a*m + b] = (uint32_t)t->class_of[DEM_PARTNER_PARTICLE][a][b];
-        }
-        for (size_t f = 0; f < (size_t)w->facets; f++)
-        {
-            const struct dem_wall *const wall = &w->wall[w->facet[f].wall];
-
-            d->word[pairs + f*m + a] =
-                (uint32_t)t->class_of[DEM_PARTNER_WALL + wall->frictionless][a][wall->material];
-        }
-    }
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->pair_class, pairs*sizeof *d->word));
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->wall_class, walls*sizeof *d->word));
-    DEM_TRY(dem_opencl_write(d->cl, &d->pair_class, 0, pairs*sizeof *d->word, d->word));
-    return dem_opencl_write(d->cl, &d->wall_class, 0, walls*sizeof *d->word, d->word + pairs);
-}
-
 static int put_drives(struct dem_device *d, const struct dem_walls *w)
 {
     const size_t size = sizeof(struct dem_wall_drive);
@@ -78,15 +50,15 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     {
         min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
     }
-    d->makes_lists = state->pairs.max_radius <= SIZE_RATIO*min && !turns_new_particles(state) &&
+    d->makes_lists = state->decomposition.ranks == 1 && state->pairs.max_radius <= SIZE_RATIO*min && !turns_new_particles(state) &&
                      state->particles.n < UINT32_MAX/(size_t)d->classes;
-    DEM_TRY(dem_device_begin_facets(d, state));
+    DEM_TRY(dem_device_begin_facets(d, &state->walls));
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->largest, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->former_place, sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->totals, ((size_t)d->classes + 2)*sizeof(uint32_t)));
-    return put_classes(d, state);
+    return dem_device_put_facets(d, state);
 }
 
 /* ---- the grid ---------------------------------------------------------------------------------- */

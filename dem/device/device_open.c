@@ -11,6 +11,8 @@
 #include "device/program.h"
 #include "device/self_test.h"
 #include "laws/effect.h"
+#include "ranks/agree.h"
+#include "ranks/collect.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,7 +20,8 @@
 enum
 {
     BED_ROWS = 8,      /* pairs a particle in a dense bed of equal spheres, with usual skins */
-    LIST_STEPS = 64    /* that lists last at the present largest speed, if skins allow */
+    LIST_STEPS = 64,   /* that lists last at the present largest speed, if skins allow; */
+    LIST_STEPS_OF_HOST = 256    /* those with ghosts, which the host makes */
 };
 
 /* ---- open and close ---------------------------------------------------------------------------- */
@@ -42,6 +45,8 @@ static int find_kernels(struct dem_device *d)
         DEM_TRY(dem_opencl_kernel(d->cl, lists[k], &d->of_lists[k]));
     }
     DEM_TRY(dem_opencl_kernel(d->cl, "bodies", &d->bodies));
+    DEM_TRY(dem_opencl_kernel(d->cl, "ghosts_pack", &d->pack_ghosts));
+    DEM_TRY(dem_opencl_kernel(d->cl, "ghosts_unpack", &d->unpack_ghosts));
     DEM_TRY(dem_opencl_kernel(d->cl, "wall_loads", &d->of_loads));
     return dem_opencl_kernel(d->cl, "clear_apart", &d->clear);
 }
@@ -92,13 +97,14 @@ static void choose_skins(struct dem_device *d, struct dem_state *state)
 
     d->min_skin = outer;
     d->max_skin = fmax(max, outer);
+    d->list_steps = state->decomposition.ranks > 1 ? LIST_STEPS_OF_HOST : LIST_STEPS;
     dem_skins_init(s, (const double[2]){outer, outer}, 0, outer, d->max_skin);
     state->stale = state->stale == 2 ? 2 : 1;
 }
 
 double dem_device_skin(const struct dem_device *d, double speed, double dt)
 {
-    return fmin(fmax(d->min_skin, 2.0*LIST_STEPS*speed*dt), d->max_skin);
+    return fmin(fmax(d->min_skin, 2.0*d->list_steps*speed*dt), d->max_skin);
 }
 
 void dem_device_set_skins(struct dem_state *state, double speed)
@@ -119,28 +125,49 @@ void dem_device_count(const struct dem_device *d, struct dem_device_counts *c)
     *c = d->counts;
 }
 
-int dem_device_begin(struct dem_state *state, const char *wanted)
+static void name_device(struct dem_device *d, const struct dem_state *state, int fitting)
 {
-    struct dem_device *d;
+    const struct dem_opencl_info *const info = dem_opencl_device(d->cl);
+    const int n = snprintf(d->name, sizeof d->name, "%s (%s, driver %s)", info->name, info->platform,
+                           info->driver);
+
+    if (state->decomposition.ranks > 1)
+    {
+        snprintf(d->name + n, sizeof d->name - (size_t)n, "; the ranks of a machine share %d such device%s",
+                 fitting, fitting > 1 ? "s" : "");
+    }
+}
+
+/* The first rank of a machine builds the program, the others find it in the cache. */
+static int open_in_turn(struct dem_device *d, struct dem_state *state, const char *wanted, int *fitting)
+{
+    const int rank = dem_collect_machine_rank(&state->decomposition);
     int status;
 
-    DEM_TRY(DEM_NEW(d, 1));
-    state->device = d;
     d->classes = state->interaction_table.classes;
-    status = dem_opencl_open(&d->cl, wanted);
-    status = status ? status : build(d, state);
-    status = status ? status : put_constants(d, state);
-    status = status ? status : dem_device_begin_lists(d, state);
+    status = dem_opencl_open(&d->cl, wanted, rank, fitting);
+
+    for (int turn = 0; turn < 2; turn++)
+    {
+        status = status || (rank > 0) != turn ? status : build(d, state);
+        DEM_TRY(dem_agree(state, status));
+    }
+    status = put_constants(d, state);
+    return dem_agree(state, status ? status : dem_device_begin_lists(d, state));
+}
+
+int dem_device_begin(struct dem_state *state, const char *wanted)
+{
+    int fitting = 0, status = dem_agree(state, DEM_NEW(state->device, 1));
+
+    status = status ? status : open_in_turn(state->device, state, wanted, &fitting);
     if (status)
     {
         dem_device_free(state);
         return status;
     }
-    const struct dem_opencl_info *const info = dem_opencl_device(d->cl);
-
-    snprintf(d->name, sizeof d->name, "%s (%s, driver %s)", info->name, info->platform,
-             info->driver);
-    choose_skins(d, state);
+    name_device(state->device, state, fitting);
+    choose_skins(state->device, state);
     return DEM_OK;
 }
 
@@ -149,7 +176,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
-        &d->batch, &d->report, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
+        &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
         &d->rates, &d->applied, &d->ids,
         &d->candidate_start, &d->candidates, &a->near, &b->near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
@@ -200,5 +227,6 @@ double dem_device_memory(const struct dem_state *state)
                        (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history +
                         2*(size_t)(t->contact_scalars ? t->listed : 0))*sizeof(double);
 
-    return n*(double)particle + rows*(double)row;
+    return n*(double)particle + rows*(double)row + (double)sizeof(struct dem_device_batch) +
+           (double)sizeof(struct dem_device_report);
 }

@@ -96,6 +96,8 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
     {
         return DEM_OK;
     }
+    DEM_TRY(d->selections != state->wall_store.selections ? dem_device_put_facets(d, state) : DEM_OK);
+    DEM_TRY(dem_device_put_ghosts(d, &state->halo));
     DEM_TRY(put_partners(d, state));
     DEM_TRY(put_entries(d, state));
     DEM_TRY(dem_device_put_near(d, state));
@@ -153,8 +155,9 @@ static int put_applied(struct dem_device *d, const struct dem_applied_forces *a)
 
 int dem_device_put_particles(struct dem_device *d, const struct dem_state *state)
 {
-    const size_t n = state->particles.n, records = n*sizeof *state->particles.record,
-                 columns = n*dem_device_columns_width(&state->particles)*sizeof(double);
+    const size_t n = state->particles.n, all = n + state->particles.ghosts,
+                 records = all*sizeof *state->particles.record,
+                 columns = all*dem_device_columns_width(&state->particles)*sizeof(double);
     const double *const lost = dem_column(&state->particles, DEM_COLUMN_LOST_ENERGY);
 
     DEM_TRY(dem_opencl_reserve(d->cl, &d->record, records));

@@ -6,6 +6,9 @@
  * a report. A step of which the lists might miss a contact is left out by the kernels themselves, and so
  * are all after it. Then displacements are measured, and lists are made anew if they are used up.
  *
+ * With several ranks the host makes the lists, with ghosts, and in each step exchanges the data of ghosts
+ * and sees to it that all ranks make the same steps (device_ghosts.c).
+ *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "device/device_steps.h"
@@ -13,6 +16,7 @@
 #include "core/memory.h"
 #include "device/device_columns.h"
 #include "device/device_internal.h"
+#include "ranks/agree.h"
 #include <math.h>
 #include <string.h>
 
@@ -68,15 +72,15 @@ static int launch_step(struct dem_device *d, const struct dem_state *state, uint
 static int copy_state(struct dem_device *d, const struct dem_state *state, int back)
 {
     struct dem_device_rows *const list = &d->list[d->at];
-    const size_t n = state->particles.n, rows = list->rows;
+    const size_t n = state->particles.n, all = n + state->particles.ghosts, rows = list->rows;
     const struct
     {
         struct dem_opencl_memory *now, *before;
         size_t bytes;
-    } part[] = {{&d->record, &d->before_record, n*sizeof *state->particles.record},
+    } part[] = {{&d->record, &d->before_record, all*sizeof *state->particles.record},
                 {&d->lost, &d->before_lost, n*sizeof(double)},
                 {&d->columns, &d->before_columns,
-                 n*dem_device_columns_width(&state->particles)*sizeof(double)},
+                 all*dem_device_columns_width(&state->particles)*sizeof(double)},
                 {&list->touch, &d->before_touch, rows},
                 {&list->history, &d->before_history,
                  rows*(size_t)state->interaction_table.history_columns*sizeof(double)}};
@@ -118,7 +122,65 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .start = (float)(p->moved*(1.0 + 1e-6)),
         .particles = (uint32_t)state->particles.n,
         .stride = d->list[d->at].rows,
+        .column = (uint32_t)(state->particles.n + state->particles.ghosts),
         .walls = d->list[d->at].walls};
+}
+
+/* The steps of a batch, which the kernels leave out themselves when lists are used up. *made: how many. */
+static int make_alone(struct dem_device *d, const struct dem_state *state,
+                      const struct dem_device_batch *batch, uint32_t n, uint32_t *made)
+{
+    for (uint32_t s = 0; s < n; s++)
+    {
+        DEM_TRY(launch_step(d, state, s));
+    }
+    DEM_TRY(dem_opencl_read(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
+    for (*made = 0; *made < n && d->seen.bound[*made] <= batch->limit[*made]; ++*made)
+    {
+    }
+    return DEM_OK;
+}
+
+/* The same with several ranks, which agree in each step, so that all of them make the same ones. */
+static int make_together(struct dem_device *d, struct dem_state *state,
+                         const struct dem_device_batch *batch, uint32_t n, uint32_t *made, int status)
+{
+    float fastest[DEM_DEVICE_BATCH];
+    double bound = (double)batch->start, largest = 0.0;
+
+    for (*made = 0; *made < n && bound <= (double)batch->limit[*made] && largest < INFINITY; ++*made)
+    {
+        status = status ? status : launch_step(d, state, *made);
+        DEM_TRY(dem_device_send_ghosts(d, state, *made, status, &largest));
+        status = dem_device_receive_ghosts(d, state);
+        fastest[*made] = (float)largest;
+        bound += sqrt(largest)*(state->dt*1.0001);
+    }
+    DEM_TRY(dem_agree(state, status ? status
+                                    : dem_opencl_read(d->cl, &d->report, 0, sizeof d->seen, &d->seen)));
+    memcpy(d->seen.fastest, fastest, *made*sizeof *fastest);
+    d->seen.events = largest == INFINITY;
+    d->seen.event_step = *made > 0 ? *made - 1 : 0;
+    return DEM_OK;
+}
+
+/* What a batch needs on the device, and a copy of the state before it. */
+static int begin_batch(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
+                       struct dem_device_batch *batch, const struct progress *p, uint32_t *n)
+{
+    DEM_TRY(dem_device_move_walls(d, state, steps, batch, n, p->skin,
+                                  dem_device_has_wall_work(state)));
+    DEM_TRY(copy_state(d, state, 0));
+    DEM_TRY(dem_device_begin_sums(d, state, batch));
+    struct dem_device_batch there = *batch;
+
+    for (uint32_t s = 0; s < *n && state->decomposition.ranks > 1; s++)
+    {
+        there.limit[s] = INFINITY;    /* the ranks see to it */
+    }
+    DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof there, &there));
+    DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
+    return give_arguments(d);
 }
 
 /* A batch of up to *n steps; *made: how many. Its report is in d->seen. */
@@ -131,21 +193,17 @@ static int make_batch(struct dem_device *d, struct dem_state *state,
     memset(&d->seen, 0, sizeof d->seen);
     d->seen.overlap = batch.overlap;
     d->seen.event_step = UINT32_MAX;
-    DEM_TRY(dem_device_move_walls(d, state, steps, &batch, n, p->skin,
-                                  dem_device_has_wall_work(state)));
-    DEM_TRY(copy_state(d, state, 0));
-    DEM_TRY(dem_device_begin_sums(d, state, &batch));
-    DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
-    DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
-    DEM_TRY(give_arguments(d));
-    for (uint32_t s = 0; s < *n; s++)
+    int status = begin_batch(d, state, steps, &batch, p, n);
+
+    if (state->decomposition.ranks > 1)
     {
-        DEM_TRY(launch_step(d, state, s));
+        status = make_together(d, state, &batch, *n, made, status);
     }
-    DEM_TRY(dem_opencl_read(d->cl, &d->report, 0, sizeof d->seen, &d->seen));
-    for (*made = 0; *made < *n && d->seen.bound[*made] <= batch.limit[*made]; ++*made)
+    else
     {
+        status = status ? status : make_alone(d, state, &batch, *n, made);
     }
+    DEM_TRY(status);
     p->rest = *n > 0 ? (double)batch.limit[*made < *n ? *made : *n - 1] : 0.0;
     return DEM_OK;
 }
@@ -202,9 +260,9 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
         d->host_until = state->steps + steps->made + until - 1 + d->wait;
         d->wait = d->wait < LONGEST_WAIT ? 2*d->wait + 1 : LONGEST_WAIT;
         d->counts.repeated += until;
-        return copy_state(d, state, 1);
+        return dem_agree(state, copy_state(d, state, 1));
     }
-    DEM_TRY(dem_device_add_sums(d, state));
+    DEM_TRY(dem_agree(state, dem_device_add_sums(d, state)));
     d->wait = made > 0 ? 0 : d->wait;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
@@ -249,7 +307,9 @@ static int make_lists(struct dem_device *d, struct dem_state *state, const struc
 static int renew_lists(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
                        struct progress *p, int *end)
 {
-    DEM_TRY(dem_device_displacement(d, state, &p->moved));
+    const int status = dem_device_displacement(d, state, &p->moved);
+
+    DEM_TRY(dem_agree_max(state, status, &p->moved, 1));
     if (p->moved <= 0.5*p->rest)
     {
         return DEM_OK;
@@ -265,12 +325,13 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
     struct progress p = {.rest = steps->rest(state)};
     int end = 0;
 
-    while (!end && steps->made < steps->most && !steps->ends(state, steps->made))
+    while (!end && steps->made < steps->most)
     {
         const int64_t before = steps->made;
         int changed = 0;
 
-        if (before > p.checked)
+        DEM_TRY(steps->ends(state, before, &end));
+        if (!end && before > p.checked)
         {
             p.checked = before;
             DEM_TRY(dem_device_check(d, state, steps, p.skin, &changed, &end));
@@ -297,15 +358,20 @@ int dem_device_waits(const struct dem_state *state)
     return state->steps <= state->device->host_until;
 }
 
+static int begin_advance(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps)
+{
+    DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
+    DEM_TRY(dem_device_put(d, state));
+    return dem_device_refer(d, state);
+}
+
 int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
 {
     struct dem_device *const d = state->device;
 
     steps->made = 0;
-    DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
+    DEM_TRY(dem_agree(state, begin_advance(d, state, steps)));
     steps->speed = d->speed;
-    DEM_TRY(dem_device_put(d, state));
-    DEM_TRY(dem_device_refer(d, state));
     DEM_TRY(make_steps(d, state, steps));
     dem_device_leave_walls(state, steps);
     if (steps->made == 0)
@@ -315,5 +381,5 @@ int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
     }
     d->counts.steps += steps->made;
     d->counts.parts++;
-    return dem_device_get(d, state);
+    return dem_agree(state, dem_device_get(d, state));
 }

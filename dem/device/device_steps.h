@@ -22,7 +22,8 @@ struct dem_device;
 /* Why the steps of this run cannot be made on a device, as a sentence, or "". */
 void dem_device_refusal(const struct dem_state *, char *why, size_t size);
 
-/* Open the device (opencl_device.h: wanted), build the program, and compare its bits with the CPU's if
+/* Collective. Open the device (opencl_device.h: wanted), one for each rank of a machine where there are
+   enough, build the program, and compare its bits with the CPU's if
    this program has not been tested with this driver. An error is a sentence; the state is unchanged
    then. */
 int dem_device_begin(struct dem_state *, const char *wanted);
@@ -66,13 +67,13 @@ struct dem_device_steps
     int64_t check;
     int (*enter_or_leave)(struct dem_state *, int *changes);
     int (*change)(struct dem_state *);
-    /* called after each batch of steps; 1: end here */
-    int (*ends)(struct dem_state *, int64_t made);
+    /* called before each batch of steps, by all ranks; end: 1 to end here */
+    int (*ends)(struct dem_state *, int64_t made, int *end);
     int64_t made;             /* result: 0: the host has to make the first one */
     const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
 };
 
-/* Make steps. Before the call positions have been drifted and lists are valid for the first step; after
+/* Collective. Make steps. Before the call positions have been drifted and lists are valid for the first step; after
    it positions have been drifted for the step that follows the last one made. */
 int dem_device_advance(struct dem_state *, struct dem_device_steps *);
 

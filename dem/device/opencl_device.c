@@ -162,26 +162,30 @@ static int is_wanted(const struct dem_opencl_info *info, const char *wanted)
                : contains(info->name, wanted) || contains(info->platform, wanted);
 }
 
-static int choose(const struct devices *found, const char *wanted, int *chosen)
+static int choose(const struct devices *found, const char *wanted, int rank, int *chosen, int *fitting)
 {
-    int without = -1;
+    int without = -1, fit[DEM_OPENCL_DEVICES], n = 0;
 
-    *chosen = -1;
-    for (int k = found->n - 1; k >= 0; k--)
+    for (int k = 0; k < found->n; k++)
     {
         const int fits = is_wanted(&found->info[k], wanted);
 
-        *chosen = fits && found->info[k].doubles ? k : *chosen;
-        without = fits && !found->info[k].doubles ? k : without;
+        if (fits && found->info[k].doubles)
+        {
+            fit[n++] = k;
+        }
+        without = fits && without < 0 && !found->info[k].doubles ? k : without;
     }
-    DEM_REQUIRE(*chosen >= 0 || without < 0, DEM_ERROR_STATE,
+    *chosen = n > 0 ? fit[rank%n] : -1;
+    *fitting = n;
+    DEM_REQUIRE(n > 0 || without < 0, DEM_ERROR_STATE,
                 "the device %s does not compute in double precision", found->info[without].name);
-    DEM_REQUIRE(*chosen >= 0, DEM_ERROR_STATE, "no device %s among the %d that OpenCL knows here "
+    DEM_REQUIRE(n > 0, DEM_ERROR_STATE, "no device %s among the %d that OpenCL knows here "
                 "(dem run -device list)", strcmp(wanted, "gpu") == 0 ? "is a GPU" : wanted, found->n);
     return DEM_OK;
 }
 
-int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
+int dem_opencl_open(struct dem_opencl **opened, const char *wanted, int rank, int *fitting)
 {
     const struct dem_opencl_calls *calls;
     struct devices found;
@@ -192,7 +196,7 @@ int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
     *opened = NULL;
     DEM_TRY(dem_opencl_load(&calls));
     DEM_TRY(find_devices(calls, &found));
-    DEM_TRY(choose(&found, wanted, &chosen));
+    DEM_TRY(choose(&found, wanted, rank, &chosen, fitting));
     DEM_TRY(DEM_NEW(cl, 1));
     cl->calls = calls;
     cl->info = found.info[chosen];

@@ -21,10 +21,11 @@ int dem_opencl_list(struct dem_opencl_info list[DEM_OPENCL_DEVICES], int *n)
     return refuse();
 }
 
-int dem_opencl_open(struct dem_opencl **opened, const char *wanted)
+int dem_opencl_open(struct dem_opencl **opened, const char *wanted, int rank, int *fitting)
 {
-    (void)wanted;
+    (void)wanted, (void)rank;
     *opened = NULL;
+    *fitting = 0;
     return refuse();
 }
 

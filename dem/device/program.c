@@ -249,7 +249,7 @@ static int add_class(struct composer *c, const struct dem_interaction_table *tab
 
 int dem_device_has_facets(const struct dem_walls *w)
 {
-    return w->triangles > 0 || w->facets > 1 || w->absorbing > 0;
+    return dem_walls_count_triangles(w) > 0 || w->facets > 1 || w->absorbing > 0;
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */
@@ -328,7 +328,7 @@ static int add_facets(struct composer *c, const struct dem_interaction_table *ta
     dem_spring_kinds(table, kind);
     dem_text_add(c->out, "#define FACETS %d\n#define TRIANGLES %d\n#define HISTORY %d\n"
                  "#define CLASS_EXPONENTS", dem_device_has_facets(c->walls),
-                 c->walls->triangles > 0, table->history_columns);
+                 dem_walls_count_triangles(c->walls) > 0, table->history_columns);
     for (int k = 0; k < table->classes; k++)
     {
         dem_text_add(c->out, "%s %a", k > 0 ? "," : "", table->list[k].pair.exponent);
@@ -340,7 +340,7 @@ static int add_facets(struct composer *c, const struct dem_interaction_table *ta
     }
     dem_text_add(c->out, "\n");
     DEM_TRY(dem_device_has_facets(c->walls) ? dem_program_include_name(&c->texts, "device/facets.cl") : DEM_OK);
-    return c->walls->triangles > 0 ? dem_program_include_name(&c->texts, "device/triangles.cl") : DEM_OK;
+    return dem_walls_count_triangles(c->walls) > 0 ? dem_program_include_name(&c->texts, "device/triangles.cl") : DEM_OK;
 }
 
 static int compose(struct composer *c, const struct dem_interaction_table *table,
@@ -369,6 +369,7 @@ static int compose(struct composer *c, const struct dem_interaction_table *table
     DEM_TRY(dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) ? dem_program_include_name(&c->texts, "device/fluid.cl")
                                                              : DEM_OK);
     DEM_TRY(add_bodies(c, table));
+    DEM_TRY(dem_program_include_name(&c->texts, "device/ghosts.cl"));
     DEM_TRY(dem_program_include_name(&c->texts, "device/lists.cl"));
     return dem_program_include_name(&c->texts, "device/scan.cl");
 }

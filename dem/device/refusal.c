@@ -73,11 +73,6 @@ static const char *run_reason(const struct dem_state *state)
 void dem_device_refusal(const struct dem_state *state, char *why, size_t size)
 {
     why[0] = '\0';
-    if (state->decomposition.ranks > 1)
-    {
-        snprintf(why, size, "the run has %d ranks; a device serves one", state->decomposition.ranks);
-        return;
-    }
     if (refuse_laws(&state->interaction_table, why, size) || refuse_walls(&state->walls, why, size))
     {
         return;

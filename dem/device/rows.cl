@@ -50,7 +50,7 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
     dem_row_of_pair(record, partners[row], shift, RANDOM, CLASS_SCALARS, &g, &r);
 #endif
 #if VISCOSITY
-    global const double *const viscosity = columns + (size_t)COLUMN_VISCOSITY*b->particles;
+    global const double *const viscosity = columns + (size_t)COLUMN_VISCOSITY*b->column;
     const double of_i = viscosity[partners[row].x];
 
     r.viscosity = WITH_WALL ? of_i : 0.5*(of_i + viscosity[partners[row].y & ((1u << 27) - 1)]);
@@ -70,7 +70,9 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
 #define LOAD_COLUMN(m, column) h[m] = was ? history[(size_t)(column)*b->stride + row] : 0.0;
     COLUMN_OF(LOAD_COLUMN)
 #if BALANCE
-    struct dem_row_balance e = {.to = {b, report, sums, s}};
+    /* the owner of the first partner, with the lower id, counts a pair */
+    struct dem_row_balance e = {
+        .to = {b, report, partners[row].x < b->particles ? sums : 0, s}};
 
     dem_balance_gather(record, partners[row], WITH_WALL, &g, &e);
 #define WITH_BALANCE , &e
@@ -81,10 +83,10 @@ void KERNEL(constant struct dem_device_batch *b, global struct dem_device_report
     struct dem_row_scalars q;
 
 #if WITH_WALL
-    dem_row_scalars_begin(columns, b->particles, partners[row].x, 0,
+    dem_row_scalars_begin(columns, b->column, partners[row].x, 0,
                           conditions + (size_t)(facets[partners[row].y].largest >> 2)*SCALARS, &r, &q);
 #else
-    dem_row_scalars_begin(columns, b->particles, partners[row].x,
+    dem_row_scalars_begin(columns, b->column, partners[row].x,
                           partners[row].y & ((1u << 27) - 1), 0, &r, &q);
 #endif
     q.radius[0] = record[4*(size_t)partners[row].x].w;

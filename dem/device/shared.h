@@ -138,7 +138,8 @@ struct dem_device_batch
     float overlap;                          /* 1  of the report, so far */
     float start;                            /* m  bound of the displacement now */
     float limit[DEM_DEVICE_BATCH];          /* m  up to which the lists are valid; never increases */
-    uint32_t particles, stride;             /*    stride: rows of a history column */
+    uint32_t particles, stride;             /*    owned ones; stride: rows of a history column */
+    uint32_t column;                        /*    particles of a column, with ghosts */
     uint32_t walls;                         /*    the first row of a wall */
     uint32_t frames;                        /*    of moving walls, for each step */
     uint32_t applied;                       /*    forces of the scene */

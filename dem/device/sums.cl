@@ -16,7 +16,7 @@ struct dem_exact_sums
 {
     constant struct dem_device_batch *batch;
     global struct dem_device_report *report;
-    global long *sums;
+    global long *sums;    /* NULL: another rank adds */
     uint step;
 };
 
@@ -26,7 +26,7 @@ static void dem_exact_add(const struct dem_exact_sums *to, uint sum, double valu
     const uint copies = to->batch->copies, copy = (uint)get_local_id(0) & (copies - 1);
     struct dem_sum_digits d;
 
-    if (value == 0.0)
+    if (value == 0.0 || !to->sums)
     {
         return;
     }

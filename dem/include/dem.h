@@ -178,11 +178,12 @@ struct dem_dict;
 const struct dem_dict *dem_case_dict(const struct dem_case *);
 const struct dem_dict *dem_scene_dict(const struct dem *);
 
-/* The same without that header, by path ("time/end"), for other languages. dem_scene_value: the
-   text of a value, its words separated by blanks, valid until the next call of this thread; NULL
-   for a group, and where there is no entry. dem_scene_name: the name of entry k of a group, from 0
-   ("" is the whole scene); NULL behind the last. dem_scene_skip: nothing will read this entry or
-   group. The first and the last count as reading it. */
+/* The same without that header, by path ("time/end"; "walls/jar/motion/0" for the first of a list of
+   dictionaries), for other languages. dem_scene_value: the text of a value, its words separated by
+   blanks, valid until the next call of this thread; NULL for a group, and where there is no entry.
+   dem_scene_name: the name of entry k of a group, from 0 ("" is the whole scene); NULL behind the
+   last. dem_scene_skip: nothing will read this entry or group. The first and the last count as
+   reading it. */
 const char *dem_scene_value(const struct dem_dict *, const char *path);
 const char *dem_scene_name(const struct dem_dict *, const char *path, int k);
 void dem_scene_skip(const struct dem_dict *, const char *path);
@@ -216,7 +217,8 @@ void dem_set_progress(struct dem *, double seconds,
    3 each in the order of the view, 0 when it is called, which act in the kick of this step; forces in
    the view are contact forces of the step before. The result must depend on the particle, not on
    rank or index, for the same bits on any ranks. It may call only dem_at of the library. Forces on
-   frozen particles have no effect. NULL ends it. Refused in coupled runs and with clumps; with it the CPU makes the steps. */
+   frozen particles have no effect; those on a sphere of a clump act on the clump, at the centre of the
+   sphere. NULL ends it. Refused in coupled runs; with it the CPU makes the steps. */
 int dem_set_force(struct dem *,
                   void (*add)(void *self, double time, const struct dem_view *, double *force,
                               double *torque), void *self);
@@ -244,8 +246,13 @@ int dem_wall_move(struct dem *, const char *name, int64_t n, const double *trian
    dem_remove_particles: contacts and bonds with the particles end.
    dem_set_particles: n numbers or vectors for n different ids; NULL leaves a quantity as it is. A
    particle that is moved keeps the history of contacts that it still has. One that is frozen
-   comes to rest, or has the velocity and spin that are given with it. Spheres of a clump are refused, but
-   get particle scalars; the temperature, all spheres of a clump the same. */
+   comes to rest, or has the velocity and spin that are given with it.
+
+   Clumps are added, removed and moved whole. dem_add_clumps: the scene has a group or stream of this shape and
+   material, or of smaller ones, for which the time step is made; the spheres get ids that follow each other, `id`
+   the first one. dem_remove_particles wants all spheres of a clump. dem_set_particles moves a clump by the id of its
+   first sphere: position and velocity are of its centre. Particle scalars are set for each sphere; the temperature,
+   for all spheres of a clump the same. */
 struct dem_particle_changes
 {
     const double *position, *velocity, *spin;  /* m, m/s, 1/s  3 each */
@@ -253,7 +260,16 @@ struct dem_particle_changes
     const double *value;                       /* of the particle scalar of this number */
     int scalar;
 };
+struct dem_new_clump
+{
+    double position[3], velocity[3], spin[3];  /* m, m/s, 1/s  of its centre of mass; about it */
+    double orientation[4];                     /* unit quaternion that turns the shape of the scene */
+    int64_t id;                                /* of its first sphere; below 0: the next free id */
+    const char *shape, *material;              /* names in the scene */
+    int frozen;
+};
 int dem_add_particles(struct dem *, int64_t n, const struct dem_new_particle *, int64_t *id);
+int dem_add_clumps(struct dem *, int64_t n, const struct dem_new_clump *, int64_t *id);
 int dem_remove_particles(struct dem *, int64_t n, const int64_t *id);
 int dem_set_particles(struct dem *, int64_t n, const int64_t *id,
                       const struct dem_particle_changes *);

@@ -100,7 +100,7 @@ int dem_wall_has_law(const struct dem *, int wall);
    thread. */
 int dem_impact_text(struct dem *, double fluid_speed, const char **text);
 
-/* Collective. Lines on free walls that are too light for the step on the contacts to be expected, of at most
+/* Collective. Lines on free walls and hinges that are too light for the step on the contacts to be expected, of at most
    this number of particles. "" without any. Valid until the next call of this thread. */
 int dem_wall_mass_text(struct dem *, double particles, const char **text);
 

@@ -187,9 +187,13 @@ void dem_scalar_info(const struct dem *, int k, struct dem_scalar_info *);
 int dem_scalar_index(const struct dem *, const char *name);
 
 /* The values of scalar k of the owned particles, in the order of dem_view, to be read or, between
-   two advances, written. Valid until the next collective call. NULL for another number. All spheres of a
+   two advances, written, past the energy balance. Valid until the next collective call. NULL for another number. All spheres of a
    clump have one temperature: the one of its smallest id counts. */
 double *dem_scalar(struct dem *, int k);
+
+/* Collective. Write the values of scalar k of the owned particles, in that order; the energy balance has the heat that
+   this supplies as its item `edited`. After an error all values are as before. */
+int dem_set_scalar(struct dem *, int k, const double *values);
 
 /* Collective. The sum of C s over all particles, of scalar k with the capacity C: of the
    temperature, the heat of the particles above 0 K [J]. */

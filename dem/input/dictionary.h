@@ -121,6 +121,8 @@ const struct dem_dict *dem_entry_dict(const struct dem_entry *e);    /* null for
 size_t dem_entry_tokens(const struct dem_entry *e);    /* tokens of the value */
 /* The i-th token of the value; null past the end, "{}" for a dictionary in a list. */
 const char *dem_entry_token(const struct dem_entry *e, size_t i);
+/* The k-th dictionary of a list ( {...} {...} ) of some; null past the end. Marks the entry as read. */
+const struct dem_dict *dem_entry_item(const struct dem_entry *e, size_t k);
 
 /* Call read(context, ...) for each dictionary in d/name, in the order of the text; no call when
    d/name does not exist. Stops at the first failure and returns its status. */

@@ -103,6 +103,12 @@ int dem_dict_each_item(const struct dem_dict *d, const char *name,
     return DEM_OK;
 }
 
+const struct dem_dict *dem_entry_item(const struct dem_entry *e, size_t k)
+{
+    mark(e);
+    return k < e->items && e->count == e->items + 2 ? e->tokens[k + 1].dict : NULL;
+}
+
 bool dem_dict_remove(struct dem_dict *d, const char *within, bool deep, const char *name)
 {
     const struct dem_entry *const e = dem_dict_find(d, within, strlen(within));

@@ -20,8 +20,8 @@ void dem_applied_forces_free(struct dem_applied_forces *a)
     *a = (struct dem_applied_forces){.force = NULL};
 }
 
-/* Binary search. */
-static int has_id(const struct dem_applied_force *f, int64_t id)
+/* Binary search: is one of `n` ids from `id` on in the list? */
+static int has_id(const struct dem_applied_force *f, int64_t id, int64_t n)
 {
     size_t from = 0, to = f->count;
 
@@ -29,26 +29,43 @@ static int has_id(const struct dem_applied_force *f, int64_t id)
     {
         const size_t middle = from + (to - from)/2;
 
-        if (f->ids[middle] == id)
-        {
-            return 1;
-        }
         from = f->ids[middle] < id ? middle + 1 : from;
         to = f->ids[middle] < id ? to : middle;
     }
-    return 0;
+    return from < f->count && f->ids[from] - id < n;
 }
 
-static int acts(const struct dem_applied_force *f, const struct dem_particle *p, double time)
+static int acts(const struct dem_applied_force *f, const double x[3], int64_t id, int64_t n, int material, double time)
 {
     int inside = 1;
 
     for (int k = 0; k < 3; k++)
     {
-        inside &= p->x[k] >= f->min[k] && p->x[k] < f->max[k];
+        inside &= x[k] >= f->min[k] && x[k] < f->max[k];
     }
     return time >= f->start && time < f->end && inside
-        && (f->material < 0 || f->material == p->material) && (!f->ids || has_id(f, p->id));
+        && (f->material < 0 || f->material == material) && (!f->ids || has_id(f, id, n));
+}
+
+/* Add the forces of the scene; 1 if there are any. */
+static int add_scene(const struct dem_applied_forces *a, const double x[3], int64_t id, int64_t n, int material,
+                     double time, double force[3], double torque[3])
+{
+    int any = 0;
+
+    for (int f = 0; f < a->n; f++)
+    {
+        if (acts(&a->force[f], x, id, n, material, time))
+        {
+            any = 1;
+            for (int k = 0; k < 3; k++)
+            {
+                force[k] += a->force[f].force[k];
+                torque[k] += a->force[f].torque[k];
+            }
+        }
+    }
+    return any;
 }
 
 int dem_applied_forces_ask(struct dem_applied_forces *a, const struct dem_particles *p,
@@ -75,24 +92,25 @@ int dem_applied_forces_at(const struct dem_applied_forces *a, const struct dem_p
                           size_t i, double time, double force[3], double torque[3])
 {
     const struct dem_particle *const p = &all->record[i];
-    int any = a->program.add && p->inverse_mass > 0.0;
+    const int moves = p->inverse_mass > 0.0 && !p->body;
+    int any = a->program.add && moves;
 
     for (int k = 0; k < 3; k++)
     {
         force[k] = any ? a->program.force[3*i + (size_t)k] : 0.0;
         torque[k] = any ? a->program.torque[3*i + (size_t)k] : 0.0;
     }
-    for (int f = 0; f < a->n && p->inverse_mass > 0.0; f++)
+    if (moves)
     {
-        if (acts(&a->force[f], p, time))
-        {
-            any = 1;
-            for (int k = 0; k < 3; k++)
-            {
-                force[k] += a->force[f].force[k];
-                torque[k] += a->force[f].torque[k];
-            }
-        }
+        any |= add_scene(a, p->x, p->id, 1, p->material, time, force, torque);
     }
     return any;
+}
+
+void dem_applied_forces_on_clump(const struct dem_applied_forces *a, const double x[3], int64_t id, int64_t spheres,
+                                 int material, double time, double force[3], double torque[3])
+{
+    memset(force, 0, 3*sizeof *force);
+    memset(torque, 0, 3*sizeof *torque);
+    (void)add_scene(a, x, id, spheres, material, time, force, torque);
 }

@@ -45,6 +45,12 @@ struct dem_clump    /* the column of a sphere; all 0 for single spheres */
 _Static_assert(sizeof(struct dem_clump) == DEM_CLUMP_WIDTH*sizeof(double),
                "the column clump is as wide as this struct");
 
+struct dem_clump_applied    /* forces of scene and program in a kick: step/clump_applied.c */
+{
+    double force[3], torque[3];          /* N, N m  about the centre */
+    double v[3], momentum[3];            /* m/s, kg m2/s  before the kick */
+};
+
 /* the spheres of the bodies of a rank, by body */
 struct dem_clumps
 {
@@ -52,13 +58,14 @@ struct dem_clumps
     size_t *start;               /* of each in the next array, and the end */
     uint32_t *member;            /* particles in the order of their ids */
     double (*contact)[8];        /* N, N m  force and torque of the contacts of each particle, 3 + 1 numbers each */
+    struct dem_clump_applied *applied;    /* to each body; where forces of scene or program exist */
     uint32_t *place;             /* of each body: group times DEM_CLUMP_LANES, plus lane */
     size_t groups;               /* of bodies that move side by side */
     struct dem_clump_group *group;
     struct dem_clump_slot *slot;
     int ahead;                   /* 1: the groups have moved, and the columns have not followed */
     double max_spin_square;      /* 1/s2  largest |w|^2 after the last drift */
-    size_t start_capacity, member_capacity, contact_capacity, place_capacity, group_capacity, slot_capacity;
+    size_t start_capacity, member_capacity, contact_capacity, applied_capacity, place_capacity, group_capacity, slot_capacity;
     struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
     struct dem_clump_heat *heat; /* NULL: they have no temperature; step/clump_heat.h */
 };

@@ -29,6 +29,7 @@ void dem_clumps_free(struct dem_clumps *c)
     dem_memory_free(c->start);
     dem_memory_free(c->member);
     dem_memory_free(c->contact);
+    dem_memory_free(c->applied);
     dem_memory_free(c->place);
     dem_memory_free(c->group);
     dem_memory_free(c->slot);

@@ -51,6 +51,25 @@ int dem_collect_agree(const struct dem_decomposition *d, int status)
     return agreed || !worst ? agreed : dem_error(worst, "%s", another_rank);
 }
 
+int dem_collect_machine_rank(const struct dem_decomposition *d)
+{
+    MPI_Comm machine;
+    int rank = 0;
+
+    if (d->ranks > 1)
+    {
+        const int code = MPI_Comm_split_type(d->comm, MPI_COMM_TYPE_SHARED, d->rank, MPI_INFO_NULL, &machine);
+
+        dem_collect_record(d, "MPI_Comm_split_type", code);
+        if (code == MPI_SUCCESS)
+        {
+            (void)MPI_Comm_rank(machine, &rank);
+            (void)MPI_Comm_free(&machine);
+        }
+    }
+    return rank;
+}
+
 /* ---- reductions ------------------------------------------------------------------------------ */
 
 static void reduce(const struct dem_decomposition *d, void *value, size_t n, size_t size,

@@ -103,6 +103,10 @@ void dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
    this file. An error of MPI is recorded (collect.h) and returned by the next agreement. */
 void dem_halo_send(struct dem_halo *, const struct dem_particles *, enum dem_halo_set);
 
+/* The same for numbers that are in send_buffer already, `width` of each particle; those received are in
+   receive_buffer after dem_halo_wait. */
+void dem_halo_post(struct dem_halo *, enum dem_halo_set, int width);
+
 /* Wait for the data; copy them to the ghosts (receive) or discard them (wait). */
 void dem_halo_receive(struct dem_halo *, struct dem_particles *);
 void dem_halo_wait(struct dem_halo *);

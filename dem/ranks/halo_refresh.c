@@ -137,7 +137,7 @@ void dem_halo_select_candidates(struct dem_halo *h, const struct dem_particles *
 /* ---- refreshing ------------------------------------------------------------------------------ */
 
 /* A count fits an int: the message that built these ghosts was larger. */
-static void post(struct dem_halo *h, enum dem_halo_set which, int width)
+void dem_halo_post(struct dem_halo *h, enum dem_halo_set which, int width)
 {
     const struct dem_halo_route *const to = &h->send[which], *const from = &h->receive[which];
 
@@ -215,7 +215,7 @@ void dem_halo_send(struct dem_halo *h, const struct dem_particles *p, enum dem_h
     }
     if (h->decomposition->ranks > 1)
     {
-        post(h, which, DEM_HALO_WIDTH + p->ghost_step.n);
+        dem_halo_post(h, which, DEM_HALO_WIDTH + p->ghost_step.n);
     }
 }
 
@@ -274,7 +274,7 @@ int dem_halo_refresh_window(struct dem_halo *h, struct dem_particles *p)
             *out++ = p->column[list->column[c]].data[to->index[k]];
         }
     }
-    post(h, DEM_HALO_ALL, 1 + list->n);
+    dem_halo_post(h, DEM_HALO_ALL, 1 + list->n);
     dem_halo_wait(h);
     for (size_t k = p->n; k < p->n + p->ghosts; k++)
     {

@@ -141,9 +141,6 @@ int dem_set_force(struct dem *d, dem_force_function *add, void *self)
 {
     DEM_REQUIRE(!d->coupled || !add, DEM_ERROR_STATE, "dem_set_force: the balances of a coupled run "
                 "do not know forces of the program");
-    DEM_REQUIRE(!dem_column(&d->state.particles, DEM_COLUMN_CLUMP) || !add, DEM_ERROR_STATE,
-                "dem_set_force: forces of the program act on spheres, not on clumps; run the scene "
-                "without clumps");
     d->state.applied_forces.program.add = add;
     d->state.applied_forces.program.self = self;
     return DEM_OK;

@@ -67,27 +67,32 @@ int dem_edit_list(struct dem_edit *e, const int64_t *id)
     return DEM_OK;
 }
 
-/* Does the call set particle scalars only? Spheres of a clump may have that (dem_set_particles). */
-static int sets_scalars(const struct dem_edit *e)
+/* The sphere stands for its clump, or is one of all of them. */
+static int clump_allows(const struct dem_edit *e, const struct dem_particle *q)
 {
-    return e->to && !e->to->position && !e->to->velocity && !e->to->spin && !e->to->frozen;
+    return dem_edit_moves(e) ? dem_clump_counts(q) : e->to || !q->body || dem_edit_find(e, q->body - 1);
 }
 
 int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status)
 {
-    const int clumps = sets_scalars(e);
     uint8_t *present = NULL;
-    int64_t missing = -1, clumped = -1;
+    int64_t missing = -1, clumped[2] = {-1, -1};
 
     DEM_TRY(dem_api_agree(d, status ? status : DEM_NEW(present, e->n + 1)));
     for (size_t i = 0; i < d->state.particles.n; i++)
     {
-        const struct dem_edit_item *const l = dem_edit_find(e, d->state.particles.record[i].id);
+        const struct dem_particle *const q = &d->state.particles.record[i];
+        const struct dem_edit_item *const l = dem_edit_find(e, q->id);
+        const int part = !e->to && q->body && !l && dem_edit_find(e, q->body - 1);
 
         if (l)
         {
             present[l - e->item] = 1;
-            clumped = d->state.particles.record[i].body && !clumps ? l->id : clumped;
+        }
+        if (part || (l && !clump_allows(e, q)))
+        {
+            clumped[0] = q->id;
+            clumped[1] = q->body - 1;
         }
     }
     dem_collect_max_uint8(&d->state.decomposition, present, (size_t)e->n);
@@ -99,10 +104,12 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
     DEM_REQUIRE(missing < 0, DEM_ERROR_INPUT,
                 "%s: the run has no particle %lld; give ids of particles that it has", e->call,
                 (long long)e->item[missing].id);
-    DEM_REQUIRE(clumped < 0, DEM_ERROR_INPUT,
-                "%s: particle %lld is a sphere of a clump, which moves as one body; give other ids",
-                e->call, (long long)clumped);
-    return DEM_OK;
+    status = clumped[0] < 0 ? DEM_OK
+                            : dem_error(DEM_ERROR_INPUT, "%s: particle %lld is a sphere of the clump of particle %lld, "
+                                        "which moves as one body; %s", e->call, (long long)clumped[0],
+                                        (long long)clumped[1], e->to ? "give the id of that one, for the whole clump"
+                                                                     : "give the ids of all its spheres");
+    return dem_api_agree(d, status);
 }
 
 /* ---- the edit -------------------------------------------------------------------------------- */

@@ -18,6 +18,7 @@
 #define DEM_RUN_EDIT_H
 
 #include "case/dem_case.h"
+#include <string.h>
 
 struct dem_edit_item            /* an id of the call and where it stands in the list */
 {
@@ -44,7 +45,38 @@ int dem_edit_check_state(const struct dem *, const char *call);
 int dem_edit_list(struct dem_edit *, const int64_t *id);
 const struct dem_edit_item *dem_edit_find(const struct dem_edit *, int64_t id);
 
-/* Collective. The run has the particles of the list. `status`: of the checks of this rank. */
+/* The first id that no particle has had. */
+int64_t dem_edit_next_id(const struct dem *);
+
+/* Time step and lists are made for the radius of this particle. */
+int dem_edit_check_radius(const struct dem *, const char *call, const struct dem_particle *);
+
+/* Set the position; a particle outside the domain is refused. */
+int dem_edit_place(const struct dem *, const char *call, struct dem_particle *);
+
+static inline void dem_edit_set_vector(double to[3], const double *values, int64_t at)
+{
+    if (values)
+    {
+        memcpy(to, values + 3*at, 3*sizeof *to);
+    }
+}
+
+/* Add the checked particles that this rank owns. */
+int dem_edit_add(struct dem *, const struct dem_edit *);
+
+/* 1 if the call sets more than particle scalars: then the first sphere of a clump stands for all of it. */
+static inline int dem_edit_moves(const struct dem_edit *e)
+{
+    return e->to && (e->to->position || e->to->velocity || e->to->spin || e->to->frozen);
+}
+
+/* Sphere i and its clump with the changes of entry `at`. */
+int dem_edit_set_clump(const struct dem *, const struct dem_edit *, int64_t at, size_t i, struct dem_particle *,
+                       struct dem_clump *);
+
+/* Collective. The run has the particles of the list, of clumps that are moved the first sphere, of those that go
+   all spheres. `status`: of the checks of this rank. */
 int dem_edit_require_present(struct dem *, const struct dem_edit *, int status);
 
 /* Collective. Make the edit, unless n is 0; frees the list. `status`: as above. */

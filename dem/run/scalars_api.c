@@ -7,6 +7,7 @@
 #include "case/internal.h"
 #include "dem_fluid.h"
 #include "core/error.h"
+#include "records/energy_balance.h"
 #include "records/totals.h"
 #include "particles/scalars.h"
 #include "ranks/collect.h"
@@ -51,6 +52,36 @@ int dem_scalar_index(const struct dem *d, const char *name)
 double *dem_scalar(struct dem *d, int k)
 {
     return is_scalar(d, k) ? dem_scalar_values(&d->state.particles, k) : NULL;
+}
+
+static int check_values(const struct dem *d, int k, const double *values)
+{
+    DEM_TRY(dem_api_require_sound(d, "dem_set_scalar"));
+    DEM_REQUIRE(is_scalar(d, k), DEM_ERROR_INPUT, "dem_set_scalar: there is no scalar %d", k);
+    const struct dem_scalar *const s = d->state.interaction_table.scalar[k];
+
+    for (size_t i = 0; i < d->state.particles.n; i++)
+    {
+        DEM_REQUIRE(values[i] >= s->min && values[i] <= s->max, DEM_ERROR_INPUT,
+                    "dem_set_scalar: particle %lld gets %s %g %s; give a number from %g to %g",
+                    (long long)d->state.particles.record[i].id, s->name, values[i], s->unit, s->min, s->max);
+    }
+    return DEM_OK;
+}
+
+int dem_set_scalar(struct dem *d, int k, const double *values)
+{
+    struct dem_state *const p = &d->state;
+
+    DEM_TRY(dem_api_agree(d, check_values(d, k, values)));
+    const double before = p->energy_balance->open ? dem_energy_balance_total(p) : 0.0;
+
+    if (p->particles.n > 0)
+    {
+        memcpy(dem_scalar_values(&p->particles, k), values, p->particles.n*sizeof *values);
+    }
+    dem_energy_balance_edited(p, before);
+    return DEM_OK;
 }
 
 /* ---- exchange -------------------------------------------------------------------------------- */

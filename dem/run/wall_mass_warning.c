@@ -1,5 +1,5 @@
 /*
- * wall_mass_warning.c -- free walls that are too light for the time step, before the run: the same limit as in a sweep
+ * wall_mass_warning.c -- free walls and hinges that are too light for the time step, before the run: the same limit as in a sweep
  * (step/wall_bodies.c), K dt^2 < 0.04 m, with the contacts that are to be expected:
  *
  *   k_1 = p F_1/d,  F_1 = (p + 1) m_p v^2/(2 d),  d = v t_c/c      an impact of the largest particle on a wall at rest
@@ -14,17 +14,24 @@
  *   L           given force of the start and weight of the wall, along its axes            [N]
  *   N           particles that lie side by side on the wall, and are there                 [1]
  *
- * Not here: walls that rotate, whose arms are not known before the run.
+ * A wall that rotates has K r^2 dt^2 < 0.04 I, so it is a free wall of the mass I/r^2 for the impact.
+ *
+ *   I, r        moment of inertia, the least of several; largest distance of a corner from the axis, or from the
+ *               centre of a rotation about all axes                                    [kg m2], [m]
+ *
+ * Not here: loads on walls that rotate, whose contacts may be anywhere.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/internal.h"
+#include "core/memory.h"
 #include "core/vec.h"
 #include "dem_numbers.h"
 #include "particles/particles.h"
 #include "ranks/collect.h"
 #include "records/totals.h"
 #include "step/wall_bodies.h"
+#include "walls/wall_rotation.h"
 #include <fenv.h>
 #include <math.h>
 
@@ -146,6 +153,59 @@ static int describe(const struct dem *d, const struct dem_wall *of, const struct
     return 1;
 }
 
+/* Collective. The largest distance of a corner of a wall from the point about which it rotates, or from the axis, if
+   not NULL [m]. */
+static int find_arm(struct dem *d, int wall, const double centre[3], const double *axis, double *arm)
+{
+    const size_t triangles = d->state.walls.wall[wall].triangles;
+    double *corner, square = 0.0;
+    int status = DEM_NEW(corner, 9*triangles + 1);
+
+    status = dem_api_agree(d, status);
+    status = status ? status : dem_wall_corners(d, wall, corner);
+    for (size_t k = 0; k < 3*triangles && !status && d->state.decomposition.rank == 0; k++)
+    {
+        double away[3], across[3];
+
+        dem_vec_minus(corner + 3*k, centre, away);
+        dem_vec_cross(axis ? axis : away, away, across);
+        square = fmax(square, axis ? dem_vec_dot(across, across) : dem_vec_dot(away, away));
+    }
+    dem_memory_free(corner);
+    dem_collect_max_double(&d->state.decomposition, &square, 1);
+    *arm = sqrt(square);
+    return status;
+}
+
+/* Collective. A line when the wall has too small a moment of inertia for this contact. */
+static int describe_rotation(struct dem *d, int wall, const struct dem_wall_body *b, const struct contact *c,
+                             struct dem_text *t)
+{
+    const int hinge = b->kind == DEM_WALL_BODY_HINGE;
+    const double I = hinge ? b->mass : dem_wall_rotation_least_inertia(&b->rotation), dt = d->step;
+    double centre[3], arm;
+
+    dem_wall_body_centre(b, centre);
+    if (find_arm(d, wall, centre, hinge ? b->axis[0] : b->rotation.axes == 1 ? b->rotation.axis : NULL, &arm))
+    {
+        return 0;
+    }
+    const double least = arm*arm*least_mass(c, 0.0, dt);
+
+    if (I >= least)
+    {
+        return 0;
+    }
+    const double hit = impact_stiffness(c, I/(arm*arm));
+
+    dem_text_add(t, "walls/%s/motion: %.3g kg m2 is too little inertia for the step %.3g s: the impact of one particle "
+                 "at impactSpeed, %g m/s, meets %.3g N/m, at most %.3g m from the %s; by this estimate, use at least "
+                 "%.3g kg m2, or a time/step of at most %.3g s\n", d->state.walls.wall[wall].name, I, dt, c->speed, hit,
+                 arm, !hinge && b->rotation.axes == 3 ? "centre" : "axis", least,
+                 sqrt(DEM_WALL_BODY_MAX_SWING*I/(hit*arm*arm)));
+    return 1;
+}
+
 int dem_wall_mass_text(struct dem *d, double particles, const char **text)
 {
     static _Thread_local struct dem_text t;
@@ -159,14 +219,19 @@ int dem_wall_mass_text(struct dem *d, double particles, const char **text)
     {
         const struct dem_wall *const of = &state->walls.wall[k];
         const struct dem_wall_body *const b = dem_walls_body(&state->walls, k);
-        int said = !b || b->kind != DEM_WALL_BODY_FREE;
+        int said = !b || b->kind == DEM_WALL_BODY_SERVO;
 
         for (int s = 0; s < r->classes && !said; s++)
         {
             struct contact c;
 
-            said = r->list[s].pair.with_wall && r->list[s].pair.b == &r->material[of->material]
-                   && impact_on_wall(&r->list[s], &c) && describe(d, of, b, &c, particles, &t);
+            if (r->list[s].pair.with_wall && r->list[s].pair.b == &r->material[of->material]
+                && impact_on_wall(&r->list[s], &c))
+            {
+                said = b->kind == DEM_WALL_BODY_FREE && describe(d, of, b, &c, particles, &t);
+                said |= (b->kind == DEM_WALL_BODY_HINGE || b->rotation.axes > 0)
+                        && describe_rotation(d, k, b, &c, &t);
+            }
         }
     }
     fesetenv(&caller);

@@ -9,6 +9,7 @@
 #include "core/memory.h"
 #include "laws/effect.h"
 #include "particles/clump_lanes.h"
+#include "step/clump_applied.h"
 #include "step/clump_energy.h"
 #include "step/clump_heat.h"
 #include <string.h>
@@ -177,6 +178,8 @@ int dem_index_clumps(struct dem_state *state)
     DEM_TRY(c->flow && state->energy_balance->open
                 ? dem_clump_energy_reserve(c->flow, c, &state->interaction_table.bodies, state->particles.n)
                 : DEM_OK);
+    DEM_TRY(dem_applied_forces_exist(&state->applied_forces) ? DEM_GROW(c->applied, c->applied_capacity, c->n + 1)
+                                                             : DEM_OK);
     return c->heat ? DEM_GROW(c->heat->row, c->heat->capacity, state->particles.n + 1) : DEM_OK;
 }
 
@@ -185,6 +188,10 @@ int dem_kick_clumps(struct dem_state *state, struct dem_particles *p, const stru
     struct dem_clumps *const c = &state->clumps;
     double gravity[3];
 
+    if (s->applied)
+    {
+        dem_clump_applied_add(c, p, s->applied, s->time);
+    }
     if (c->flow && s->energy_balance)
     {
         dem_clump_energy_before(c, p);
@@ -199,6 +206,10 @@ int dem_kick_clumps(struct dem_state *state, struct dem_particles *p, const stru
     {
         dem_interaction_table_gravity(&state->interaction_table, gravity);
         dem_clumps_kick(c, p, gravity, s->kick);
+    }
+    if (s->applied && s->energy_balance)
+    {
+        dem_clump_applied_work(c, p, s->energy_balance, s->kick);
     }
     return c->heat && s->scalars.h > 0.0 ? dem_clump_heat_integrate(c, &s->scalars, p) : 0;
 }

@@ -8,6 +8,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "device/device_steps.h"
+#include "ranks/agree.h"
 #include "records/grid_averages.h"
 #include "records/timers.h"
 #include "sources/flows.h"
@@ -108,9 +109,11 @@ static int half_used(const struct dem_state *state)
     return d->spread > 0.25*d->skin;
 }
 
-/* Between batches of steps: reports progress; 1 when there is a request to stop. */
-static int ends(struct dem_state *state, int64_t made)
+/* Between batches of steps: reports progress; ends when a rank has a request to stop. */
+static int ends(struct dem_state *state, int64_t made, int *end)
 {
+    double stop = state->stop_request && *state->stop_request ? 1.0 : 0.0;
+
     struct dem_progress *const q = &state->progress;
     const double now = q->report ? dem_clock_wall() : 0.0;
 
@@ -119,7 +122,9 @@ static int ends(struct dem_state *state, int64_t made)
         q->last = now;
         q->report(q->self, state->time + (double)made*state->dt, state->steps + made);
     }
-    return state->stop_request && *state->stop_request;
+    DEM_TRY(dem_agree_max(state, DEM_OK, &stop, 1));
+    *end = stop > 0.0;
+    return DEM_OK;
 }
 
 /* The host counts the steps, and the displacements of all drifts but the last: it counts that one
@@ -164,20 +169,22 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
 int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
 {
     struct dem_device_steps steps = {.first = first};
+    /* the largest speed of this rank; whether a program adds forces on it */
+    double max[2] = {state->next_drift.max_speed, state->applied_forces.program.add ? 1.0 : 0.0};
 
     *made = 0;
     /* some of what refusal.c names can begin after the device was opened */
-    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0 ||
-        state->applied_forces.program.add)
+    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0)
     {
         return DEM_OK;
     }
     steps.most = count_steps(state, first);
-    if (steps.most < FEW_STEPS)
+    DEM_TRY(steps.most >= FEW_STEPS ? dem_agree_max(state, DEM_OK, max, 2) : DEM_OK);
+    if (steps.most < FEW_STEPS || max[1] > 0.0)
     {
         return DEM_OK;
     }
-    dem_device_set_skins(state, state->next_drift.max_speed);
+    dem_device_set_skins(state, max[0]);
     steps.rest = rest_of_lists;
     steps.ends = ends;
     steps.check = dem_device_makes_lists(state->device) ? check_steps(state) : 0;
@@ -186,7 +193,7 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     steps.max_displacement = dem_limits_max_wall_displacement(state);
     steps.max_speed = dem_limits_max_speed(state);
     if (!dem_device_makes_lists(state->device) &&
-        rest_of_lists(state) < FEW_STEPS*state->next_drift.max_speed*state->dt)
+        rest_of_lists(state) < FEW_STEPS*max[0]*state->dt)
     {
         state->stale = half_used(state) ? 1 : 0;
         return DEM_OK;

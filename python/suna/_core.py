@@ -140,8 +140,7 @@ class Core:
         if fault is not None:
             raise fault
         if value == 2:
-            raise SunaError("the function `until` of another rank raised an exception; see that rank's "
-                            "message")
+            raise SunaError("another rank raised an exception; see that rank's message")
         return bool(value)
 
     def close(self):

@@ -11,7 +11,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from ._arguments import SunaError, numbers, text
-from ._core import Core, string
+from ._core import Core, check, string
 from ._library import ffi, lib
 from .particles import View, column, of_view
 
@@ -147,13 +147,21 @@ class Arrays:
         return k, given
 
     def set_scalar(self, name: str, values: ArrayLike) -> None:
-        """Set a particle scalar between two advances: one value for all, or one for each."""
-        with self._view() as view, self._set_up() as d:
-            k, given = self._scalar_values(d, name, values, view.n)
-            if name == "temperature" and view.n and view.clump != ffi.NULL:
-                _check_clumps(of_view(view, "clump"), given)
-            if view.n:
-                numpy.frombuffer(ffi.buffer(lib.dem_scalar(d, k), 8*view.n))[:] = given
+        """Set a particle scalar between two advances: one value for all, or one for each of this rank's
+        particles. Collective."""
+        given, number = [], []    # type: list[NDArray[numpy.float64]], list[int]
+
+        def prepare():
+            with self._view() as view, self._set_up() as d:
+                k, wanted = self._scalar_values(d, name, values, view.n)
+                if name == "temperature" and view.n and view.clump != ffi.NULL:
+                    _check_clumps(of_view(view, "clump"), wanted)
+            given.append(numpy.ascontiguousarray(wanted))
+            number.append(k)
+
+        self._core_().any(prepare)    # an exception on one rank is one on all
+        with self._set_up() as d:
+            check(lib.dem_set_scalar(d, number[0], ffi.cast("double *", given[0].ctypes.data)))
 
     @property
     def material(self) -> NDArray[numpy.object_]:

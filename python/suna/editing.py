@@ -59,6 +59,15 @@ class Editing(Arrays):
                 found.append(string(name))
         return found
 
+    def entries(self, path: str = "") -> dict[str, Any]:
+        """A group of the scene as a dict of texts, with groups in it as dicts"""
+        found: dict[str, Any] = {}
+        for name in self.names(path):
+            at = f"{path}/{name}" if path else name
+            value = self.value(at)
+            found[name] = self.entries(at) if value is None else value
+        return found
+
     def change(self, entries: Mapping[str, Any]) -> None:
         """Change entries of the scene: {"effects/mindlin/friction": 0.5}. A dict replaces a group, None
         removes an entry or group: {"walls/gate": None}. Groups of `insert` that are new are inserted,
@@ -111,8 +120,30 @@ class Editing(Arrays):
             check(lib.dem_add_particles(d, n, particles, ffi.from_buffer("int64_t[]", ids)))
         return ids
 
+    def add_clumps(self, position: ArrayLike, shape: str | list[str], material: str | list[str],
+                   orientation: ArrayLike = (1, 0, 0, 0), velocity: ArrayLike = 0.0, spin: ArrayLike = 0.0,
+                   id: ArrayLike | None = None, frozen: ArrayLike = False) -> NDArray[numpy.int64]:
+        """Add clumps of a shape of the scene, their centres of mass at these positions, turned by unit quaternions
+        (w x y z): each argument is one value for all or an array, the same on all ranks. Returns the id of the first
+        sphere of each; the others follow. Collective."""
+        x = vectors("position", position, 3)
+        n = len(x)
+        v, w = numbers("velocity", velocity, (n, 3)), numbers("spin", spin, (n, 3))
+        turn, held = numbers("orientation", orientation, (n, 4)), switches("frozen", frozen, n)
+        first = numpy.broadcast_to(-1, n) if id is None else whole_numbers("id", id, n)
+        names = [[ffi.new("char[]", name) for name in texts(what, value, n)]
+                 for what, value in (("shape", shape), ("material", material))]
+        clumps = ffi.new("struct dem_new_clump[]", n)
+        for k, c in enumerate(clumps):
+            c.position, c.velocity, c.spin, c.orientation = list(x[k]), list(v[k]), list(w[k]), list(turn[k])
+            c.id, c.shape, c.material, c.frozen = first[k], names[0][k], names[1][k], held[k]
+        ids = numpy.empty(n, numpy.int64)
+        with self._changing() as d:
+            check(lib.dem_add_clumps(d, n, clumps, ffi.from_buffer("int64_t[]", ids)))
+        return ids
+
     def remove(self, ids: ArrayLike) -> None:
-        """Remove the particles that have these ids. Collective."""
+        """Remove the particles that have these ids, of a clump all spheres. Collective."""
         listed = _ids(ids)
         with self._changing() as d:
             check(lib.dem_remove_particles(d, len(listed), ffi.from_buffer("int64_t[]", listed)))
@@ -122,7 +153,7 @@ class Editing(Arrays):
             frozen: ArrayLike | None = None, **scalars: ArrayLike) -> None:
         """Set quantities of the particles that have these ids, and particle scalars by their names
         (temperature=300): one value for all, or an array in the order of the ids, the same on all
-        ranks. Collective."""
+        ranks. The first sphere of a clump stands for the clump and its centre, but in particle scalars. Collective."""
         listed = _ids(ids)
         n, new = len(listed), ffi.new("struct dem_particle_changes *")
         given = {name: numpy.ascontiguousarray(numbers(name, value, (n, 3))) for name, value in
@@ -144,7 +175,10 @@ class Editing(Arrays):
 
 
 def _ids(ids: ArrayLike) -> NDArray[numpy.int64]:
-    array = numpy.atleast_1d(numpy.asarray(ids))
+    try:
+        array = numpy.atleast_1d(numpy.asarray(ids))
+    except (ValueError, OverflowError):    # lists of unequal lengths
+        raise SunaError(f"ids is {ids!r}; give one id or a list of ids") from None
     if array.ndim != 1:
         raise SunaError(f"ids has the shape {array.shape}; give one id or a list of ids")
     return numpy.ascontiguousarray(whole_numbers("ids", array, len(array)))

@@ -1,10 +1,10 @@
-"""walls.py -- a wall of a simulation: load, impulse, corners, motion.
+"""walls.py -- a wall of a simulation: load, impulse, corners, wear, motion.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
-from typing import Any, Mapping
+from typing import Any, Mapping, Sequence
 
 import numpy
 from numpy.typing import NDArray
@@ -67,16 +67,42 @@ class Wall:
         return corners
 
     @property
-    def motion(self) -> Mapping[str, Any]:
-        """Its motion as a dict of texts, {} at rest. Set it to a dict of scene entries, or None; the wall
-        goes on from where it stands. Collective."""
-        path = self._entry() + "/motion"
-        return {name: self._simulation.value(f"{path}/{name}") for name in self._simulation.names(path)}
+    def wear(self) -> NDArray[numpy.float64]:
+        """Volume that has worn off each of its triangles [m3], in the order of corners, on the first rank; the
+        scene gives the wall a law of wear. Collective."""
+        with self._simulation._set_up() as d:
+            number = self._number(d)
+            if not lib.dem_wall_wears(d, number):
+                raise SunaError(f"wall {self.name} has no law of wear; give it `wear` in the scene")
+            info = ffi.new("struct dem_wall_info *")
+            lib.dem_wall_info(d, number, info)
+            volumes = numpy.zeros(info.triangles)
+            check(lib.dem_wall_wear(d, number, ffi.from_buffer("double[]", volumes)))
+        return volumes
+
+    def _motion(self):
+        """The path of its motion in the scene; a face moves with its box, or alone."""
+        own, box = self._entry(), f"walls/{self.name[:-4]}"
+        names = self._simulation.names(box) if "/faces/" in own else []
+        return f"{box}/motion" if "motion" in names else f"{own}/motion"
+
+    @property
+    def motion(self) -> Mapping[str, Any] | list[Mapping[str, Any]]:
+        """Its motion as a dict of texts, a list of them if it has several, {} at rest. Set it to such entries of a
+        scene, or None; the wall goes on from where it stands. Collective."""
+        path, found = self._motion(), []    # type: str, list[Mapping[str, Any]]
+        while self._simulation.names(f"{path}/{len(found)}"):
+            found.append(self._simulation.entries(f"{path}/{len(found)}"))
+        return found or self._simulation.entries(path)
 
     @motion.setter
-    def motion(self, entries: Mapping[str, Any] | None) -> None:
+    def motion(self, entries: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None) -> None:
+        path = self._motion()
+        if not path.startswith(self._entry()):
+            raise SunaError(f"{self.name} moves with its box; set the motion of all six with "
+                            f'change({{"{path}": ...}}), None to end it')
         if entries or self.motion:
-            self._simulation.change({self._entry() + "/motion": entries or None})
+            self._simulation.change({path: entries or None})
 
     def remove(self) -> None:
         """Remove the wall. Collective."""

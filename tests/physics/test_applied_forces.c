@@ -111,9 +111,96 @@ static void driven(void)
     dem_free(e);
 }
 
+/* ---- clumps ---------------------------------------------------------------------------------- */
+
+/* Rods of three touching spheres in a row along x: M = 3 m, I = 6/5 m R^2 along the rod, 46/5 m R^2 across it. Ids 0 to 2,
+   3 to 5, 6 to 8 (frozen), 10 mm apart along y; 9 is a single sphere. */
+static char *rods(const char *forces)
+{
+    return world_text("materials { m { density %g; youngsModulus 1e7; } } effects { hooke { stiffness 1000; } }"
+                      "shapes { rod { spheres ((-2e-3 0 0 1e-3) (0 0 0 1e-3) (2e-3 0 0 1e-3)); } }"
+                      "insert { a { type list; shape rod; orientation (1 0 0 0); positions ((0 0 0) (0 0.01 0)); }"
+                      "b { type list; shape rod; orientation (1 0 0 0); frozen yes; positions ((0 0.02 0)); }"
+                      "c { type list; diameter 2e-3; positions ((0 0.03 0)); } } %s time { step 1e-6; }", rho, forces);
+}
+
+/* Velocity over F t/M and spin over T t/I after 1 ms: of both rods and of the sphere. */
+static void pushed_rods(const char *what, const char *chosen, double first, double second, double ball)
+{
+    struct dem *const d = energy_world(rods(world_text("forces { f { %s force (0 0 1e-4); torque (1e-8 0 0); } }",
+                                                       chosen)), 0, NULL);
+    const double m = mass(), v = 1e-7/(3.0*m), w = 1e-11/(1.2*m*R*R), share[2] = {first, second};
+
+    world_run(d, 1e-3);
+    for (int k = 0; k < 9; k++)
+    {
+        const double expected = k < 6 ? share[k/3] : 0.0;
+
+        TAP_NEAR(world_at(d, k).v[2], expected*v, 1e-12, "%s: velocity of sphere %d", what, k);
+        TAP_NEAR(world_at(d, k).w[0], expected*w, 1e-9*w, "%s: spin of sphere %d", what, k);
+    }
+    TAP_NEAR(world_at(d, 9).v[2], 3.0*ball*v, 1e-12, "%s: velocity of the single sphere", what);
+    const double kinetic = energy_term(d, "kinetic_translation") + energy_term(d, "kinetic_rotation");
+
+    TAP_NEAR(energy_term(d, "work_forces"), kinetic, 1e-12*kinetic, "%s: the work is all of the energy", what);
+    dem_free(d);
+}
+
+/* On the last sphere of the first rod. */
+static void lift(void *self, double time, const struct dem_view *view, double *force, double *torque)
+{
+    (void)time;
+    (void)torque;
+    for (size_t i = 0; i < view->n; i++)
+    {
+        if (*(const int64_t *)(const void *)dem_at((const double *)(const void *)view->id, view->stride, i) == 2)
+        {
+            force[3*i + 2] = *(const double *)self;
+        }
+    }
+}
+
+static void program_on_clumps(void)
+{
+    double f = 1e-5;
+    const double m = mass(), t = 1e-3;
+    struct dem *const d = energy_world(rods(""), 0, NULL);
+
+    WORLD_TRY(dem_set_force(d, lift, &f));
+    world_run(d, t);
+    /* the arm turns by 2 R f/I t^2/2 = 1e-4 rad, a relative change of its length by the square */
+    TAP_NEAR(world_at(d, 1).v[2], f*t/(3.0*m), 1e-7*f*t/m, "a program lifts a sphere: velocity of the centre");
+    TAP_NEAR(world_at(d, 0).w[1], -2.0*R*f*t/(9.2*m*R*R), 1e-7*f*t/(m*R), "and spin of the rod");
+    TAP_NEAR(world_at(d, 4).v[2], 0.0, 0.0, "no other rod moves");
+    TAP_NEAR(energy_term(d, "residual"), 0.0, 1e-7*energy_term(d, "work_forces"), "no energy comes from nowhere");
+    dem_free(d);
+}
+
+/* Drag b on the sphere of the same volume: v = F/b (1 - exp(-b t/M)), exact in each kick. */
+static void clumps_in_fluid(void)
+{
+    const double mu = 0.1, F = 1e-4, b = 6.0*world_pi*mu*R*cbrt(3.0), M = 3.0*mass(), t = M/b;
+    struct dem *const d = energy_world(world_text(
+        "materials { m { density %g; youngsModulus 1e7; } } effects { hertz {} stokesDrag {} }"
+        "shapes { rod { spheres ((-2e-3 0 0 1e-3) (0 0 0 1e-3) (2e-3 0 0 1e-3)); } }"
+        "insert { a { type list; shape rod; positions ((0 0 0)); } } forces { f { force (0 0 %g); } }"
+        "fluid { density 1; viscosity %g; } time { step %.17g; force yes; }", rho, F, mu, t/100.0), 0, NULL);
+
+    world_run(d, t);
+    TAP_NEAR(world_at(d, 1).v[2], F/b*(1.0 - exp(-1.0)), 1e-9*F/b, "in a fluid: F/b (1 - exp(-b t/M))");
+    TAP_NEAR(energy_term(d, "residual"), 0.0, 1e-9*energy_term(d, "work_forces"), "and no energy comes from nowhere");
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
+    pushed_rods("all", "", 1.0, 1.0, 1.0);
+    pushed_rods("by an id of its spheres", "ids (5);", 0.0, 1.0, 0.0);
+    pushed_rods("by several: once", "ids (0 2);", 1.0, 0.0, 0.0);
+    pushed_rods("by its centre in a box", "min (-1e-3 -1e-3 -1); max (1e-3 1e-3 1);", 1.0, 0.0, 0.0);
+    program_on_clumps();
+    clumps_in_fluid();
     driven();
     chosen();
     pressed();

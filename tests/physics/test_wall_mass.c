@@ -4,6 +4,7 @@
  *
  * - One sphere hits a plate at impactSpeed: a run with the mass that the warning asks for passes, one with 0.95 of it
  *   ends at the limit of the step.
+ * - One sphere hits the end of a flap on a hinge, and of a plate that rotates freely, with inertia in place of mass.
  * - A plate is pressed on a layer of spheres: the warning counts those that fit, and 0.95 of its mass is too little.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -70,6 +71,41 @@ static int passes(int n, double up, double mass, double force)
     return !status;
 }
 
+/* A triangle from an edge along y at x = 0 to its tip at x = 0.1 m, where a sphere hits it at `speed`. */
+static struct dem *struck(const char *motion, double inertia)
+{
+    const struct dem_new_particle ball = {.diameter = 2.0*R, .material = "glass", .position = {0.1, 0.0, -1.001*R},
+                                          .velocity = {0.0, 0.0, speed}};
+
+    return world(world_text("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } "
+                            "effects { hertz { impactSpeed %g; } } walls { lid { type triangles; corners ((0 -0.05 0) "
+                            "(0 0.05 0) (0.1 0 0)); motion { %s inertia %s%.17g%s; } } } time { step %g; }",
+                            speed, motion, strstr(motion, "free") ? "(1 " : "", inertia,
+                            strstr(motion, "free") ? " 1)" : "", step), 1, &ball);
+}
+
+static void inertia_is_named(const char *motion)
+{
+    struct dem *d = struck(motion, 1e-12);
+    const double least = wanted(d, "the impact of one particle at impactSpeed, 0.5 m/s, meets");
+
+    dem_free(d);
+    for (int light = 0; light < 2; light++)
+    {
+        d = struck(motion, (light ? 0.95 : 1.01)*least);
+        int status = DEM_OK;
+
+        TAP_OK(light || wanted(d, "") == 0.0, "%g kg m2 are enough: no warning", least);
+        for (int k = 0; k < 300 && !status; k++)
+        {
+            status = dem_advance(d, step);
+        }
+        TAP_OK(least > 0.0 && (light ? status && strstr(dem_error_text(), "kg m2 on contacts") : !status), "%s: %s",
+               light ? "0.95 of it ends the run" : "and with it the run passes", status ? dem_error_text() : "");
+        dem_free(d);
+    }
+}
+
 static void is_named(int n, double up, double force, const char *words)
 {
     struct dem *d = plate_above(n, up, 1e-9, force);
@@ -90,5 +126,7 @@ int main(void)
 {
     is_named(1, speed, 0.0, "the impact of one particle at impactSpeed, 0.5 m/s, meets");
     is_named(SIDE, 0.0, 0.5, "its load, 0.5 N on 25 contacts");
+    inertia_is_named("type hinge; origin (0 0 0); axis (0 1 0);");
+    inertia_is_named("type free; rotations (y); centre (0 0 0); mass 1;");
     TAP_DONE;
 }

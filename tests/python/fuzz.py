@@ -31,6 +31,8 @@ STREAM = "later { type stream; rate 1e5; count 500; diameter 1e-3; min (0 0 0.1)
 SCENES = [PHYSICS % "" + FLOOR + GRAINS % (30, ""), PHYSICS % "conduction {}" + FLOOR + GRAINS % (8, ""),
           PHYSICS % "" + GRAINS % (5, STREAM), PHYSICS % "", PHYSICS % "" + FLOOR,
           PHYSICS % "" + GRAINS % (40, "") + "averages { box { min (0 0 0); max (0.02 0.02 0.02); interval 1e-4; } }",
+          PHYSICS % "" + FLOOR + "shapes { rod { spheres ((0 0 0 5e-4) (8e-4 0 0 5e-4)); } } insert { rods { type list; "
+          "shape rod; positions ((0 0 0.001) (0 0.01 0.01)); } }",
           {"materials": {"glass": {"density": 2500, "youngsModulus": 1e7}}, "effects": {"hertz": {}}},
           "materials {", "", "effects { herz {} }", "no-such-file"]
 
@@ -53,7 +55,7 @@ ODD = [None, True, False, 0, 3, -1, 7, 2**31, 2**63, -2**63, 10**400, 0.5, -0.0,
 LONG = (1, 3, 5, 7, 2**31, 0.5)
 # arguments that are taken, so that calls come as far as the core
 GOOD = {"position": [[0.5, 0.5, 0.5], numpy.random.default_rng(1).random((5, 3)), [0, 0, 0.1]], "diameter": [1e-3, 2e-3],
-        "material": ["glass"], "velocity": [0.0, [0, 0, -1]], "spin": [0.0, [9, 0, 0]], "id": [None, 1000, range(2000, 2005)],
+        "material": ["glass"], "shape": ["rod"], "velocity": [0.0, [0, 0, -1]], "spin": [0.0, [9, 0, 0]], "id": [None, 1000, range(2000, 2005)],
         "frozen": [False, True], "name": ["w", "temperature", "floor"], "triangles": [numpy.eye(3), numpy.ones((2, 3, 3))],
         "duration": [1e-5, 1e-4, 1e-3], "progress": [None, fault, lambda *_: None], "interval": [0, 0.001], "until": [None, None, fault, lambda s: s.time > 1e-4], "every": [1, 10, 100], "path": ["out", "x.dem"],
         "folder": [".", "nowhere"], "values": [300, [300]*8], "scene": SCENES, "settings": [None, {"time/step": 5e-6}],
@@ -66,6 +68,7 @@ TAKES = {"add_particles": ("position", "diameter", "material", "velocity", "spin
          "advance": ("duration", "progress", "interval", "until", "every"), "scalar": ("name",), "set_scalar": ("name", "values"),
          "total": ("name",), "averages": ("folder",), "warnings": ("duration",), "plan": ("duration",), "save": ("path",),
          "to_vtk": ("path",), "add": ("position", "diameter", "material", "velocity", "spin", "id", "frozen"),
+         "add_clumps": ("position", "shape", "material", "velocity", "spin", "id", "frozen"), "entries": ("path",),
          "remove": ("ids",), "set": ("ids", "position", "velocity", "spin", "frozen"), "change": ("entries",),
          "wall": ("name",), "allow_diameters": ("material", "smallest", "largest"), "add_force": ("function",),
          "remove_force": ("function",)}

@@ -7,7 +7,7 @@ import numpy
 from mpi4py import MPI
 
 import suna
-from test_live import SCENE
+from test_live import CLUMPS, SCENE
 
 world = MPI.COMM_WORLD
 sim = suna.Simulation(SCENE, comm=world, energy=True)
@@ -56,6 +56,17 @@ fails(lambda: sim.advance(1e-3, until=fault), ZeroDivisionError)
 fails(lambda: sim.remove([5000]), suna.SunaError)
 fails(lambda: sim.change({"effects/dry/restitution": 2}), suna.SunaError)
 assert sim.hash == before
+sim.close()
+
+# clumps
+sim = suna.Simulation(CLUMPS, comm=world, energy=True)
+ids = sim.add_clumps([[0, 0.02 - 0.008*k, 0.15] for k in range(6)], "rod", "glass", spin=(10, 0, 20))
+sim.add_force(lambda p: p.force.__iadd__(1e-6*(p.id%3 == 0)[:, None]))
+sim.set(ids[:2], velocity=(0, 0, 0.5))
+sim.remove([*range(ids[2], ids[2] + 3), 6])
+sim.advance(0.02)
+fails(lambda: sim.remove([0]), suna.SunaError)
+found += [sim.hash, sim.energy["edited"], sim.energy["work_forces"], list(ids)]
 if world.rank == 0:
     print(*found)
 sim.close()

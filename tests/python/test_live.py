@@ -154,6 +154,11 @@ def scalars():
     assert list(warm.scalar("temperature")[order]) == [300, 293.15, 310, 293.15]
     warm.advance(1e-3)
     assert abs(warm.energy["residual"]) < 1e-13*warm.total("temperature")
+    edited, heat = warm.energy["edited"], warm.total("temperature")
+    warm.set_scalar("temperature", warm.scalar("temperature") + 5)
+    gain = warm.total("temperature") - heat
+    assert gain > 0 and abs(warm.energy["edited"] - edited - gain) < 1e-12*heat
+    assert abs(warm.energy["residual"]) < 1e-12*heat
     refused(lambda: warm.set([1], temperature=-5), "temperature", "from")
     refused(lambda: warm.set([1], colour=5), "colour", "temperature")
 
@@ -213,8 +218,9 @@ def clumps():
     refused(lambda: sim.set([0], temperature=400), "clump", "one temperature", "particle 0")
     refused(lambda: sim.set([3, 4, 5], temperature=[400, 400, 401]), "clump", "one temperature", "particle 3")
     refused(lambda: sim.set_scalar("temperature", numpy.arange(300, 307)), "clump", "different temperatures")
-    refused(lambda: sim.set([0, 1, 2], velocity=0), "moves as one body")
-    refused(lambda: sim.remove([0, 1, 2]), "moves as one body")
+    refused(lambda: sim.set([0, 1, 2], velocity=0), "moves as one body", "clump of particle 0")
+    refused(lambda: sim.remove([0, 1]), "particle 2", "moves as one body", "all its spheres")
+    refused(lambda: sim.remove([4]), "particle 4", "all its spheres")
     assert sim.hash == before
     sim.set([2, 0, 6, 1], temperature=[350, 350, 310, 350])
     order = numpy.argsort(sim.id)
@@ -222,6 +228,10 @@ def clumps():
     gain = sim.total("temperature") - heat
     assert abs(gain - 30*C - 10*500*sim.mass[sim.clump == 0].sum()) < 1e-12*heat
     assert abs(sim.energy["edited"] - gain) < 1e-9*gain
+    sim.add_force(lambda p: p.force.__iadd__(1e-3*(p.id[:, None] == 3)*[0, 1, 0]))
+    sim.advance(1e-4)
+    assert abs(sim.mass @ sim.velocity[:, 1]/1e-7 - 1) < 1e-9 and of(sim, [4], "spin")[0, 2] < 0
+    sim.remove_force(sim._forces[0])
     sim.set_scalar("temperature", 320)
     sim.change({"insert/more": {"type": "list", "material": "glass", "shape": "rod", "temperature": 280,
                                 "positions": "((0 0 0.05))"}})
@@ -230,6 +240,53 @@ def clumps():
     assert list(table.clump) == [1, 1, 1, 4, 4, 4, 0, 8, 8, 8] and list(table.temperature[7:]) == [280]*3
     sim.to_vtk("clumps.vtp")
     assert (suna.read_vtp("clumps.vtp")["clump"] == sim.clump).all() and sim.totals["clumps"] == 3
+
+
+CLUMPS = PHYSICS + """
+    shapes { rod { spheres ((-2e-3 0 0 1e-3) (0 0 0 1e-3) (2e-3 0 0 1e-3)); } bead { spheres ((0 0 0 1e-4)); } }
+    insert { rods { type list; material glass; shape rod; orientation (1 0 0 0); positions ((0 0 0.1) (0 0.006 0.1)); }
+             ball { type list; material glass; diameter 2e-3; positions ((0 0.012 0.1)); } }"""
+
+
+def live_clumps():
+    """clumps are added, moved, frozen and removed whole, with their energies; a restart gives the same bits"""
+    sim, half = suna.Simulation(CLUMPS, {"effects/gravity/acceleration": (0, 0, 0)}, energy=True), numpy.sqrt(0.5)
+    ids = sim.add_clumps([[0, 0.02, 0.1], [0, 0.03, 0.1]], "rod", "glass", orientation=[[1, 0, 0, 0], [half, 0, half, 0]],
+                         velocity=[[0, 0, 1], [0, 0, 0]], spin=[[0, 0, 0], [0, 0, 50]])
+    assert list(ids) == [7, 10] and list(of(sim, range(7, 13), "clump")) == [8, 8, 8, 11, 11, 11] and len(sim) == 13
+    # the second one stands upright and spins about its axis: I = 6/5 m R^2
+    m = sim.mass[sim.clump == 0][0]
+    assert abs(of(sim, range(10, 13), "position")[:, 2] - [0.102, 0.1, 0.098]).max() < 1e-9
+    given = 0.5*3*m + 0.5*1.2*m*1e-6*50**2
+    assert abs(sim.energy["edited"]/given - 1) < 1e-9
+    sim.set([0], velocity=(0.1, 0, 0), spin=(0, 0, 100), position=(0, 0, 0.15))
+    assert abs(of(sim, range(3), "velocity") - [[0.1, -0.2, 0], [0.1, 0, 0], [0.1, 0.2, 0]]).max() < 1e-12
+    assert abs(of(sim, range(3), "position")[:, 2] - 0.15).max() < 1e-9
+    given += 0.5*3*m*0.01 + 0.5*9.2*m*1e-6*100**2
+    assert abs(sim.energy["edited"]/given - 1) < 1e-9
+    sim.set([7], frozen=True)
+    sim.save("clumps.dem")
+    other = suna.Simulation(CLUMPS, {"effects/gravity/acceleration": (0, 0, 0)}, start="clumps.dem")
+    for one in (sim, other):
+        one.advance(0.01)
+        one.set([7], frozen=False, velocity=(0, 0, 1))
+        one.remove([3, 4, 5, 6])
+        one.advance(0.01)
+    assert sim.hash == other.hash and sorted(sim.id) == [0, 1, 2, 7, 8, 9, 10, 11, 12]
+    assert abs(of(sim, [8], "position")[0] - [0, 0.02, 0.11]).max() < 1e-9
+    assert abs(sim.energy["residual"]) < 1e-6*given
+    before = sim.hash
+    add = lambda at, shape="rod", **more: sim.add_clumps(at, shape, "glass", **more)
+    refused(lambda: add([0, 0.02, 0.11]), "overlap")
+    refused(lambda: add([0, 0, 1]), "outside the domain")
+    refused(lambda: add([0, 0, 0.05], "nut"), "nut", "rod")
+    refused(lambda: add([0, 0, 0.05], "bead"), "bead", "group or stream")
+    refused(lambda: add([0, 0, 0.05], orientation=(2, 0, 0, 0)), "quaternion")
+    refused(lambda: add([0, 0, 0.05], spin=1e7), "turns by")
+    refused(lambda: add([0, 0, 0.05], id=9), "none is used twice")
+    refused(lambda: sim.set([0], frozen=True, velocity=1), "frozen")
+    refused(lambda: sim.set([0], position=(0, 0.03, 0.1)), "overlap")
+    assert sim.hash == before
 
 
 def diameters():
@@ -272,6 +329,35 @@ def walls():
     sim.advance(0.02)
     assert 0.7 < (height - sim.position[:, 2].mean())/(0.5*9.81*0.02**2) < 1.05
     refused(lambda: sim.wall("gate"), "gate", "box")
+
+
+def motions():
+    """the motion of a wall is a dict, a list of several, and that of the box for its faces; wear by triangles"""
+    sim = suna.Simulation(PHYSICS + """walls {
+        box { type box; material glass; min (-0.04 -0.04 -0.005); max (0.04 0.04 0.1); motion { type translation; velocity (0 0 0.1); } }
+        jar { type triangles; material glass; corners ((0.02 0 0) (0.03 0 0) (0.02 0.01 0)); wear { coefficient 1; hardness 1e9; }
+              motion ( { type rotation; origin (0 0 0); axis (0 0 1); omega 3; }
+                       { type translation; velocity (0 0 0.1); } ); } }
+        insert { ball { type list; material glass; diameter 1e-3; positions ((0.0225 0.0025 0.00049)); } }""")
+    jar = sim.wall("jar")
+    assert [one["type"] for one in jar.motion] == ["rotation", "translation"] and jar.motion[0]["omega"] == "3"
+    assert sim.wall("boxMaxX").motion == {"type": "translation", "velocity": "( 0 0 0.1 )"}
+    for motion in (None, {"type": "translation", "velocity": (0, 0, 1)}):
+        def set_face(motion=motion):
+            sim.wall("boxMaxX").motion = motion
+        refused(set_face, "boxMaxX", "walls/box/motion")
+    sim.change({"walls/box/motion": None})
+    sim.wall("boxMaxZ").motion = {"type": "translation", "velocity": (0, 0, -1)}
+    assert sim.wall("boxMaxZ").motion["velocity"] == "( 0 0 -1 )" and sim.wall("boxMinZ").motion == {}
+    sim.advance(1e-3)
+    assert jar.wear.shape == (1,) and jar.wear[0] > 0
+    refused(lambda: sim.wall("boxMaxZ").wear, "boxMaxZ", "wear")
+    jar.motion = jar.motion[1:]
+    assert jar.motion[0]["type"] == "translation"
+    corners = jar.corners
+    jar.motion = None
+    sim.advance(1e-3)
+    assert jar.motion == {} and abs(jar.corners - corners).max() < 1e-15
 
 
 def loads():
@@ -487,6 +573,6 @@ def tables():
 
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
-    run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, clumps, diameters,
-              walls, loads, entries, forces, force_faults, until, views, tables)
+    run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, clumps, live_clumps, diameters,
+              walls, motions, loads, entries, forces, force_faults, until, views, tables)
     finish()

@@ -146,6 +146,7 @@ def every_use(sim):
     """Each public method and property, with arguments that it takes: name and call."""
     arguments = {"add_particles": ([0, 0, 0], 1e-3, "glass"), "add_wall": ("w", "glass", numpy.eye(3)),
                  "value": ("time/end",), "advance": (1e-6,), "scalar": ("temperature",),
+                 "add_clumps": ([0, 0, 1], "rod", "glass"), "entries": ("time",),
                  "set_scalar": ("temperature", 1), "total": ("temperature",), "averages": (".",),
                  "warnings": (1,), "plan": (1,), "save": ("x",), "to_vtk": ("x.vtp",),
                  "add": ([0, 0, 0], 1e-3, "glass"), "remove": ([1],), "set": ([1],), "change": ({},),

@@ -38,6 +38,7 @@ enum
     MPI_REQUEST_NULL = 0,
     MPI_INFO_NULL = 0,
     MPI_ERRORS_RETURN = 1,
+    MPI_COMM_TYPE_SHARED = 1,
     MPI_ANY_SOURCE = -2,
     MPI_SUM = 1,
     MPI_MIN,
@@ -84,6 +85,10 @@ static inline int MPI_Finalize(void) { return MPI_SUCCESS; }
 static inline int MPI_Abort(MPI_Comm comm, int code) { exit(code); }
 static inline int MPI_Comm_rank(MPI_Comm comm, int *rank) { return *rank = 0; }
 static inline int MPI_Comm_free(MPI_Comm *comm) { return MPI_SUCCESS; }
+static inline int MPI_Comm_split_type(MPI_Comm comm, int type, int key, MPI_Info info, MPI_Comm *out)
+{
+    return MPI_ERR_OTHER;
+}
 static inline int MPI_Comm_set_errhandler(MPI_Comm comm, MPI_Errhandler e) { return MPI_SUCCESS; }
 static inline MPI_Comm MPI_Comm_f2c(MPI_Fint comm) { return -1; }
 
