@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_WALLS_VTK_H
-#define DEM_APP_WALLS_VTK_H
+#pragma once
 
 #include "app/output_files.h"
 
@@ -16,5 +15,3 @@ int dem_walls_vtk_begin(const struct dem_output *, struct dem *);
 /* Collective, at each output: write walls_NNNNNN.vtp and its entry in walls.pvd, when a wall
    moves. */
 int dem_walls_vtk_write(const struct dem_output *, struct dem *, int64_t number, double time);
-
-#endif

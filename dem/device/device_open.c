@@ -227,5 +227,6 @@ double dem_device_memory(const struct dem_state *state)
                        (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history +
                         2*(size_t)(t->contact_scalars ? t->listed : 0))*sizeof(double);
 
-    return n*(double)particle + rows*(double)row;
+    return n*(double)particle + rows*(double)row + (double)sizeof(struct dem_device_batch) +
+           (double)sizeof(struct dem_device_report);
 }

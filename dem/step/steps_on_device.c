@@ -169,22 +169,22 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
 int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
 {
     struct dem_device_steps steps = {.first = first};
-    double speed = state->next_drift.max_speed;
+    /* the largest speed of this rank; whether a program adds forces on it */
+    double max[2] = {state->next_drift.max_speed, state->applied_forces.program.add ? 1.0 : 0.0};
 
     *made = 0;
     /* some of what refusal.c names can begin after the device was opened */
-    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0 ||
-        state->applied_forces.program.add)
+    if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0)
     {
         return DEM_OK;
     }
     steps.most = count_steps(state, first);
-    if (steps.most < FEW_STEPS)
+    DEM_TRY(steps.most >= FEW_STEPS ? dem_agree_max(state, DEM_OK, max, 2) : DEM_OK);
+    if (steps.most < FEW_STEPS || max[1] > 0.0)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_agree_max(state, DEM_OK, &speed, 1));
-    dem_device_set_skins(state, speed);
+    dem_device_set_skins(state, max[0]);
     steps.rest = rest_of_lists;
     steps.ends = ends;
     steps.check = dem_device_makes_lists(state->device) ? check_steps(state) : 0;
@@ -193,7 +193,7 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     steps.max_displacement = dem_limits_max_wall_displacement(state);
     steps.max_speed = dem_limits_max_speed(state);
     if (!dem_device_makes_lists(state->device) &&
-        rest_of_lists(state) < FEW_STEPS*speed*state->dt)
+        rest_of_lists(state) < FEW_STEPS*max[0]*state->dt)
     {
         state->stale = half_used(state) ? 1 : 0;
         return DEM_OK;
