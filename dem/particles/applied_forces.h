@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_APPLIED_FORCES_H
-#define DEM_PARTICLES_APPLIED_FORCES_H
+#pragma once
 
 #include "particles/particles.h"
 
@@ -64,5 +63,3 @@ int dem_applied_forces_at(const struct dem_applied_forces *, const struct dem_pa
 /* The same of the scene on a clump, at its centre x [m]; its spheres have the ids from `id` on. */
 void dem_applied_forces_on_clump(const struct dem_applied_forces *, const double x[3], int64_t id, int64_t spheres,
                                  int material, double time, double force[3], double torque[3]);
-
-#endif
