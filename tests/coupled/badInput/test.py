@@ -129,8 +129,8 @@ slips = [                                             # what, sentence, changes
     ("a wall that is no dictionary", "walls/top is not a dictionary", before("insert", "walls { top neutral; }")),
     ("a patch with a place", "walls/top .*Take out point",
      before("insert", "walls { top { type patch; point (0 0 0); } }")),
-    ("wear, which nothing writes", "walls/chute/wear: a coupled run writes no wear",
-     before("insert", "walls { chute { type triangles; material neutral; corners ((0 0 0) (1e-3 0 0) (0 1e-3 0));"
+    ("wear of a plane", "wall chute has no triangles, whose wear could be summed",
+     before("insert", "walls { chute { type plane; material neutral; point (0 0 -1); normal (0 0 1);"
                       " wear { coefficient 1; hardness 1; } } }")),
     ("a temperature of a patch without heat",
      "unknown entry .temperature. in walls/top; it acts only with .* conduction, .*radiation",
