@@ -165,6 +165,10 @@ void Foam::demExchange::begin()
     {
         particles_.transfer().keepOwnWeights();
     }
+    if (demCapillaryForce::needed(fluid_))
+    {
+        capillary_.reset(new demCapillaryForce(particles_));
+    }
     if (particles_.volumeAveraged() && particles_.needsFluid())
     {
         scheme_.checkEffects();
@@ -205,6 +209,10 @@ void Foam::demExchange::toParticles(const demFlow& flow)
     toColumn(transfer_.sample(volume_.field())(), fluid_.void_fraction);
     toColumn(particles_.sample(flow.mu)(), fluid_.viscosity);
     quantities_.set(flow.U, flow.mu);
+    if (capillary_)
+    {
+        capillary_().toParticles();
+    }
 
     // Slip factor
     for (size_t i = 0; i < fluid_.n; i++)

@@ -36,8 +36,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_MINIMUM_FLUIDISATION_H
-#define DEM_ADVISOR_MINIMUM_FLUIDISATION_H
+#pragma once
 
 #include "dem_numbers.h"
 
@@ -66,5 +65,3 @@ double dem_suspension_richardson_zaki(const struct dem_suspension *, double U);
 /* m/s: terminal velocity of one sphere with the drag law of the scene; 0 without one. */
 double dem_suspension_terminal_velocity(const struct dem *,
                                         const struct dem_suspension *);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_PLAN_H
-#define DEM_ADVISOR_PLAN_H
+#pragma once
 
 #include "dem_query.h"
 #include "dem_numbers.h"
@@ -40,5 +39,3 @@ double dem_plan_gravity(const struct dem_plan *);
 /* Fills in the fluid and the spheres, grains where the particles are parcels, with their mean
    properties; returns 0 if the scene has no fluid or no particles. */
 int dem_plan_suspension(const struct dem_plan *, struct dem_suspension *);
-
-#endif

@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_REGIME_H
-#define DEM_ADVISOR_REGIME_H
+#pragma once
 
 #include "advisor/plan.h"
 
@@ -47,5 +46,3 @@ void dem_regime_set(const struct dem_plan *, struct dem_regime *);
 
 /* A verdict on each effect that is in use, and on each one that is not and is called for. */
 void dem_verdicts(const struct dem_plan *, const struct dem_regime *, struct dem_verdicts *);
-
-#endif

@@ -21,13 +21,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_ADVISOR_WARNINGS_H
-#define DEM_ADVISOR_WARNINGS_H
+#pragma once
 
 #include "advisor/plan.h"
 
 /* Collective. `own`: n sentences of the program, before others but those on the scene's entries.
    Nothing is added to the text when there is nothing to warn of. */
 int dem_warnings_write(struct dem_text *, const struct dem_plan *, int n, const char *const *own);
-
-#endif

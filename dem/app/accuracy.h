@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_ACCURACY_H
-#define DEM_APP_ACCURACY_H
+#pragma once
 
 #include "input/dictionary.h"
 
@@ -35,5 +34,3 @@ int dem_accuracy_search(const struct dem_accuracy *, const struct dem_program *,
 
 /* Print whether the wish was met by a run with this step [s]. */
 void dem_accuracy_print(const struct dem_accuracy *, double step);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_ENERGY_CSV_H
-#define DEM_APP_ENERGY_CSV_H
+#pragma once
 
 #include "dem_tables.h"
 #include "app/main.h"
@@ -40,5 +39,3 @@ int dem_energy_log_append(struct dem_energy_log *, const struct dem_program *, s
 
 /* Print the largest residuals on the first rank. */
 void dem_energy_log_print(const struct dem_energy_log *, const struct dem_program *);
-
-#endif

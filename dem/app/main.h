@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_MAIN_H
-#define DEM_APP_MAIN_H
+#pragma once
 
 #include <mpi.h>
 
@@ -27,5 +26,3 @@ int dem_main_plan(struct dem_program *, int argc, char **argv);
 int dem_main_python(const char *command, int argc, char **argv);
 int dem_main_effects(struct dem_program *, int argc, char **argv);
 int dem_main_hash(struct dem_program *, int argc, char **argv);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_OUTPUT_FILES_H
-#define DEM_APP_OUTPUT_FILES_H
+#pragma once
 
 #include "dem_query.h"
 #include "input/dictionary.h"
@@ -49,5 +48,3 @@ void dem_output_snapshot_name(const struct dem_output *, int64_t number, char *p
 
 /* Collective. Write the state after dem_restore as lastGood.dem and, with vtk, lastGood.vtp. */
 int dem_output_last_good(const struct dem_output *, const struct dem_program *, struct dem *);
-
-#endif

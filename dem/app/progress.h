@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_PROGRESS_H
-#define DEM_APP_PROGRESS_H
+#pragma once
 
 #include "dem_types.h"
 
@@ -30,5 +29,3 @@ const char *dem_progress_particles(const struct dem_totals *, char text[80]);
 
 /* The line of an output, printed by the first rank. */
 void dem_progress_report(struct dem_progress *, const struct dem_totals *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_RUN_ANNOUNCE_H
-#define DEM_APP_RUN_ANNOUNCE_H
+#pragma once
 
 #include "app/scene_options.h"
 
@@ -13,5 +12,3 @@ int dem_run_announce(const struct dem_program *, struct dem *, const struct dem_
 
 /* What makes the steps, where the scene asks for a device. */
 void dem_run_announce_device(const struct dem_program *, const struct dem *);
-
-#endif

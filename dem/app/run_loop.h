@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_RUN_LOOP_H
-#define DEM_APP_RUN_LOOP_H
+#pragma once
 
 #include "app/main.h"
 #include "app/scene_options.h"
@@ -12,5 +11,3 @@
 /* Advance to the end of the schedule, or until the particles rest, the stages are over or a signal
    stops the run; write all output and print the summary at the end. */
 int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_RUN_TABLES_H
-#define DEM_APP_RUN_TABLES_H
+#pragma once
 
 #include "app/main.h"
 #include "app/output_files.h"
@@ -44,5 +43,3 @@ void dem_run_tables_print_flows(const struct dem_program *, struct dem *);
    dem_is_due: 1 when a row is due now. */
 double dem_next_due(double interval, double now, double next);
 int dem_is_due(double interval, double now);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_SCENE_OPTIONS_H
-#define DEM_APP_SCENE_OPTIONS_H
+#pragma once
 
 #include "dem_query.h"
 #include "app/accuracy.h"
@@ -48,5 +47,3 @@ struct dem_command
    [-set PATH VALUE | -set PATH=VALUE] ... SCENE, print its help or set up the scene, call `run`,
    free. Strings of the request point into argv, where the `=` becomes the end of the path. */
 int dem_command_run(struct dem_program *, const struct dem_command *, int argc, char **argv);
-
-#endif

@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_APP_WALLS_VTK_H
-#define DEM_APP_WALLS_VTK_H
+#pragma once
 
 #include "app/output_files.h"
 
@@ -17,5 +16,3 @@ int dem_walls_vtk_begin(const struct dem_output *, const struct dem_program *, s
    moves. */
 int dem_walls_vtk_write(const struct dem_output *, const struct dem_program *, struct dem *,
                         int64_t number, double time);
-
-#endif

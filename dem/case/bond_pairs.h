@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_BOND_PAIRS_H
-#define DEM_CASE_BOND_PAIRS_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -12,5 +11,3 @@
    the effects that have a listed_column. `ids`: `count` ids, two different ones a pair.
    Fails on a pair that is not a candidate contact, and names it. */
 int dem_bond_pairs_mark(struct dem_state *, const int64_t *ids, size_t count);
-
-#endif

@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_DEM_CASE_H
-#define DEM_CASE_DEM_CASE_H
+#pragma once
 
 #include "case/internal.h"
 
@@ -99,5 +98,3 @@ int dem_api_refuse_new_overlap(struct dem *);
 /* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
    put back, so that the run goes on with the same bits; also after an error of `look`. */
 int dem_api_with_lists(struct dem *, int (*look)(struct dem *));
-
-#endif

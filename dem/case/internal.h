@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_INTERNAL_H
-#define DEM_CASE_INTERNAL_H
+#pragma once
 
 #include "dem_query.h"
 #include "case/scene.h"
@@ -123,5 +122,3 @@ double dem_api_max_radius(const struct dem *);    /* m  0 without particles */
 
 /* The scene of the run, for its snapshots; the caller frees it. On the first rank. */
 int dem_api_describe_scene(const struct dem *, struct dem_snapshot_scene *);
-
-#endif

@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_RESTART_H
-#define DEM_CASE_RESTART_H
+#pragma once
 
 #include "case/dem_case.h"
 #include "core/text.h"
@@ -43,5 +42,3 @@ int dem_api_resume_wear(struct dem_case *);
 __attribute__((format(printf, 2, 3)))
 #endif
 int dem_api_note(struct dem *, const char *format, ...);
-
-#endif

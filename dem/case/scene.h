@@ -27,8 +27,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_SCENE_H
-#define DEM_CASE_SCENE_H
+#pragma once
 
 #include "particles/uniform_fluid.h"
 #include "case/scene_cell.h"
@@ -84,5 +83,3 @@ void dem_scene_free(struct dem_scene *);
 /* The entry forces. Materials must have been read. */
 int dem_scene_read_forces(const struct dem_dict *, const struct dem_interaction_table *,
                           struct dem_applied_forces *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_SCENE_BODY_ENTRIES_H
-#define DEM_CASE_SCENE_BODY_ENTRIES_H
+#pragma once
 
 #include "case/scene_internal.h"
 
@@ -25,5 +24,3 @@ int dem_scene_read_damping(const struct dem_dict *, const char *unit, double lea
 int dem_scene_read_weight(const struct dem_dict *, struct dem_wall_body *, int *weighs);
 
 int dem_scene_read_free(const struct dem_dict *, const struct dem_wall *, struct dem_wall_body *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_SCENE_CELL_H
-#define DEM_CASE_SCENE_CELL_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "particles/cell.h"
@@ -26,5 +25,3 @@ int dem_cell_refuse_fixed(const struct dem_state *);
 /* A line with @ of the text of the scene in a snapshot, and the state that it holds. */
 void dem_cell_describe(const struct dem *, struct dem_text *);
 void dem_cell_resume(struct dem *, const char *text);
-
-#endif

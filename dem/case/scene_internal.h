@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_SCENE_INTERNAL_H
-#define DEM_CASE_SCENE_INTERNAL_H
+#pragma once
 
 #include "case/scene.h"
 
@@ -40,5 +39,3 @@ int dem_scene_read_fluid(struct dem_uniform_fluid *, const struct dem_dict *scen
 /* The settings of rest, with their defaults where there is no dictionary (NULL). */
 struct dem_quiet;
 int dem_scene_read_quiet(const struct dem_dict *, struct dem_quiet *);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_SCENE_LINES_H
-#define DEM_CASE_SCENE_LINES_H
+#pragma once
 
 #include <stddef.h>
 
@@ -47,5 +46,3 @@ int dem_scene_line_is_stream(const struct dem_scene_lines *all, const struct dem
 /* What becomes of a difference at a restart, as the end of a sentence. `all`: the scene of the line. */
 const char *dem_scene_line_becomes(const struct dem_scene_lines *all, const struct dem_scene_line *,
                                    enum dem_line_change);
-
-#endif

@@ -162,6 +162,17 @@ static double wall_reach(const struct dem *d, double radius)
     return radius + 2.0*radius*skin + d->state.interaction_table.reach;
 }
 
+/* The scene's own fluid is one. */
+static int check_interface(const struct dem *d)
+{
+    DEM_REQUIRE(!d->scene.fluid.given ||
+                    !(dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_INTERFACE),
+                DEM_ERROR_INPUT,
+                "the scene has one fluid, but an effect acts at the interface of two; take that effect out, or run "
+                "the case in demInterFoam");
+    return DEM_OK;
+}
+
 int dem_api_finish_physics(struct dem *d)
 {
     struct dem_state *const p = &d->state;
@@ -177,6 +188,7 @@ int dem_api_finish_physics(struct dem *d)
     int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
 
     status = status ? status : check_rows(d);
+    status = status ? status : check_interface(d);
     if (!status)
     {
         limit_step_by_walls(&p->interaction_table, &p->walls);

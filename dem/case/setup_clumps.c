@@ -18,7 +18,8 @@ static int acts_on_bodies(const struct dem_effect *e)
     const int lift = e->has_reaction && !(e->needs & DEM_NEEDS_STRESS);
 
     return e->stage == DEM_STAGE_BODY ? e->uniform_acceleration != NULL
-                                      : !e->has_added_mass && !e->eddies && !lift;
+                                      : !e->has_added_mass && !e->eddies && !lift &&
+                                            !(e->needs & DEM_NEEDS_INTERFACE);
 }
 
 /* Only the temperature has a value of the whole body (step/clump_heat.h). */

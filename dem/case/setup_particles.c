@@ -18,7 +18,6 @@
 #include "sources/residence.h"
 #include "records/totals.h"
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* The k-th particle of dem_case_add_particles, with the density of its material. */
@@ -173,6 +172,7 @@ static unsigned column_groups(const struct dem_case *c)
         {DEM_NEEDS_STRESS, DEM_GROUP_STRESS},
         {DEM_NEEDS_MEAN_DIAMETER, DEM_GROUP_MEAN_DIAMETER},
         {DEM_NEEDS_TURBULENCE, DEM_GROUP_TURBULENCE},
+        {DEM_NEEDS_INTERFACE, DEM_GROUP_INTERFACE},
     };
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     const unsigned needs = dem_interaction_table_needs(r);

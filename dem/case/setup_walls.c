@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "ranks/collect.h"
-#include <stdio.h>
 #include <string.h>
 
 /* Collective. Hold all triangles of a wall from its first movement on. Wall neighbors keep their

@@ -16,8 +16,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CASE_STAGES_H
-#define DEM_CASE_STAGES_H
+#pragma once
 
 #include "dem_types.h"
 
@@ -76,5 +75,3 @@ int dem_stages_start(struct dem *, int continues);
 
 /* Lines with @ of the text of the scene in a snapshot: times of stages, and the state of the test. */
 void dem_stages_describe(const struct dem_run_stages *, struct dem_text *);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_CONTACT_BATCH_H
-#define DEM_CONTACTS_CONTACT_BATCH_H
+#pragma once
 
 #include "contacts/gathered.h"
 #include "laws/batch.h"
@@ -27,5 +26,3 @@ struct dem_contact_workspace
     struct dem_gathered gathered;
     struct dem_contact_scalars *scalars;    /* step/contact_scalars.h, of the batch; NULL: none */
 };
-
-#endif

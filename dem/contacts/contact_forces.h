@@ -15,8 +15,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_CONTACT_FORCES_H
-#define DEM_CONTACTS_CONTACT_FORCES_H
+#pragma once
 
 #include "laws/batch.h"
 #include "contacts/contact_rows.h"
@@ -155,5 +154,3 @@ void dem_contact_forces_clear(struct dem_contact_forces *);    /* free these */
    is saved there are neither rows nor contact forces: this keeps the peak of memory low. */
 int dem_contact_forces_allocate(struct dem_contact_forces *, const struct dem_contact_rows *);
 void dem_contact_forces_release(struct dem_contact_forces *);
-
-#endif

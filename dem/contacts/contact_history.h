@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_CONTACT_HISTORY_H
-#define DEM_CONTACTS_CONTACT_HISTORY_H
+#pragma once
 
 #include "laws/interaction_table.h"
 
@@ -76,5 +75,3 @@ void dem_contact_history_take(struct dem_contact_history *, const struct dem_con
 /* Drop saved contacts of these n ids, which are in rising order. */
 void dem_contact_history_drop(struct dem_contact_history *, const int64_t *id, size_t n);
 void dem_contact_history_forget(struct dem_contact_history *);   /* free the saved history */
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_CONTACT_ROWS_H
-#define DEM_CONTACTS_CONTACT_ROWS_H
+#pragma once
 
 #include "contacts/pair_list.h"
 
@@ -82,5 +81,3 @@ int dem_contact_rows_build_adjacency(struct dem_contact_rows *, const struct dem
 
 /* Free the rows, not the adjacency. */
 void dem_contact_rows_clear(struct dem_contact_rows *);
-
-#endif

@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_CONTACTS_H
-#define DEM_CONTACTS_CONTACTS_H
+#pragma once
 
 #include "contacts/contact_forces.h"
 #include "contacts/contact_history.h"
@@ -78,5 +77,3 @@ int dem_contacts_copy_saved(struct dem_contacts *, const struct dem_contacts *fr
 /* After a rebuild: assign saved history to the rows with the same keys, then empty it. */
 int dem_contacts_restore_history(struct dem_contacts *, const struct dem_particles *,
                                  const struct dem_facet_key *wall_facet);
-
-#endif

@@ -16,8 +16,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_DISPLACEMENT_H
-#define DEM_CONTACTS_DISPLACEMENT_H
+#pragma once
 
 #include "particles/particles.h"
 
@@ -66,5 +65,3 @@ double dem_displacement_spread(const struct dem_displacement *, const struct dem
 
 /* Set the bound and the centre that it belongs to, equal on all ranks. */
 void dem_displacement_set(struct dem_displacement *, double spread, const double centre[3]);
-
-#endif

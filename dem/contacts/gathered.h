@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_GATHERED_H
-#define DEM_CONTACTS_GATHERED_H
+#pragma once
 
 #ifdef __OPENCL_C_VERSION__
 #define DEM_GATHERED(column) double column[1]
@@ -37,5 +36,3 @@ struct dem_gathered
     DEM_GATHERED(radius);          /* m    R_i, R_j */
     DEM_GATHERED(other);
 };
-
-#endif

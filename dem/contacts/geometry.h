@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_GEOMETRY_H
-#define DEM_CONTACTS_GEOMETRY_H
+#pragma once
 
 #include "contacts/gathered.h"
 #include "laws/row.h"
@@ -69,5 +68,3 @@ DEM_MATH void dem_geometry_motion(const struct dem_gathered *g, int c, double sp
     r->sz = vz - along*hz - (ax*hy - ay*hx);
     r->normal_spin = spin_factor*(bx*r->nx + by*r->ny + bz*r->nz);
 }
-
-#endif

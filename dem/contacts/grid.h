@@ -15,8 +15,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_GRID_H
-#define DEM_CONTACTS_GRID_H
+#pragma once
 
 #include "particles/domain.h"
 #include "particles/particles.h"
@@ -114,5 +113,3 @@ static inline uint32_t dem_grid_first_entry(const struct dem_grid *g,
     return g->start[l->first + ((size_t)z*(size_t)l->cells[1] + (size_t)y)*(size_t)l->cells[0] +
                     (size_t)x];
 }
-
-#endif

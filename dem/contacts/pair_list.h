@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_PAIR_LIST_H
-#define DEM_CONTACTS_PAIR_LIST_H
+#pragma once
 
 #include "particles/particles.h"
 
@@ -41,5 +40,3 @@ int dem_pair_list_sort(struct dem_pair_list *, size_t particles, size_t classes)
 
 /* After the sort: list the pairs of each owned particle in the order of its sum. */
 int dem_pair_list_build_adjacency(struct dem_pair_list *, const struct dem_particles *);
-
-#endif

@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_PAIRS_H
-#define DEM_CONTACTS_PAIRS_H
+#pragma once
 
 #include "particles/domain.h"
 #include "contacts/displacement.h"
@@ -81,5 +80,3 @@ int dem_pairs_check_counts(size_t particles, size_t pairs);
 /* Select the candidate contacts among the pairs at the present positions; they get contact rows. */
 int dem_pairs_prune(struct dem_pairs *, const struct dem_particles *, const struct dem_walls *,
                     struct dem_contacts *);
-
-#endif

@@ -22,8 +22,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_SKINS_H
-#define DEM_CONTACTS_SKINS_H
+#pragma once
 
 #include "walls/walls.h"
 
@@ -64,5 +63,3 @@ void dem_skins_choose(struct dem_skins *, enum dem_list, double distance);
 
 /* 1 when the skin chosen is so much thinner than the one in use that making the list again pays. */
 int dem_skins_pays(const struct dem_skins *, enum dem_list);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CONTACTS_WALL_ROWS_H
-#define DEM_CONTACTS_WALL_ROWS_H
+#pragma once
 
 #include "contacts/contacts.h"
 #include "laws/interaction_table.h"
@@ -13,5 +12,3 @@
 /* Assign the contact rows; after every prune. */
 void dem_wall_touches_set_rows(struct dem_wall_touches *, const struct dem_wall_search *,
                                const struct dem_contacts *, const struct dem_interaction_table *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_ALIASES_H
-#define DEM_CORE_ALIASES_H
+#pragma once
 
 /* The note about the value (mostly "") when `foreign` is another code's word for `ours`; else null.
    The note belongs to the table. */
@@ -12,5 +11,3 @@ const char *dem_alias_note(const char *foreign, const char *ours);
 
 /* 1 if `word` is one of the words separated by blanks. */
 int dem_alias_is_among(const char *words, const char *word);
-
-#endif

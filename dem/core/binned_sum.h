@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_BINNED_SUM_H
-#define DEM_CORE_BINNED_SUM_H
+#pragma once
 
 #include "core/sum.h"
 
@@ -32,5 +31,3 @@ void dem_binned_sum_add(struct dem_binned_sum *, const double term[DEM_BINNED_SU
 
 /* Add the bins to `sum`: before it is read. */
 void dem_binned_sum_flush(struct dem_binned_sum *);
-
-#endif

@@ -23,8 +23,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_BLOCK_MEANS_H
-#define DEM_CORE_BLOCK_MEANS_H
+#pragma once
 
 #include "dem_types.h"
 
@@ -73,5 +72,3 @@ void dem_block_means_derive(const struct dem_block_means *, size_t first, size_t
 
 /* Two-sided 95 % point of Student's t distribution with n degrees of freedom, n = 1 .. 31. */
 double dem_block_means_student_t95(int n);
-
-#endif

@@ -6,12 +6,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_CLOCK_H
-#define DEM_CORE_CLOCK_H
+#pragma once
 
 double dem_clock_wall(void);    /* [s] since some moment */
 
 /* [s] of processor time of this process, all threads. A call takes 0.2 to 1.5 us. */
 double dem_clock_processor(void);
-
-#endif

@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_DEVICE_H
-#define DEM_CORE_DEVICE_H
+#pragma once
 
 #ifdef __OPENCL_C_VERSION__
 
@@ -68,7 +67,5 @@ DEM_MATH double dem_select(int yes, double a, double b)
 
     return dem_math_from_bits((dem_math_bits(a) & mask) | (dem_math_bits(b) & ~mask));
 }
-
-#endif
 
 #endif

@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_DID_YOU_MEAN_H
-#define DEM_CORE_DID_YOU_MEAN_H
+#pragma once
 
 /* The known word nearest to `word`, or null when none is near enough to be a misspelling. */
 const char *dem_did_you_mean_nearest(const char *word, const char *const *known, int n);
@@ -23,5 +22,3 @@ int dem_did_you_mean_error(const char *what, const char *word, const char *const
    blanks, or NULL. `aliases` NULL: only core/aliases.h. */
 int dem_did_you_mean_alias_error(const char *what, const char *word, const char *const *known,
                                  const char *const *aliases, int n);
-
-#endif

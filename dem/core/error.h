@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_ERROR_H
-#define DEM_CORE_ERROR_H
+#pragma once
 
 #include "dem_types.h"
 
@@ -54,5 +53,3 @@ const char *dem_error_text(void);
             return dem_require_status;                        \
         }                                                     \
     } while (0)
-
-#endif

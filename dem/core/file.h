@@ -13,8 +13,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_FILE_H
-#define DEM_CORE_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -45,5 +44,3 @@ int dem_file_make_folder(const char *path);
 
 /* True also for a file that cannot be read. */
 bool dem_file_exists(const char *path);
-
-#endif

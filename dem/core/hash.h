@@ -21,8 +21,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_HASH_H
-#define DEM_CORE_HASH_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -40,5 +39,3 @@ uint64_t dem_hash_value(const struct dem_hash *h);
 
 /* dem_hash_start, dem_hash_bytes and dem_hash_value in one call. */
 uint64_t dem_hash_record(const void *bytes, size_t n, uint64_t salt);
-
-#endif

@@ -31,8 +31,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_MATH_H
-#define DEM_CORE_MATH_H
+#pragma once
 
 #include "core/device.h"
 
@@ -200,5 +199,3 @@ DEM_MATH double dem_pow(double x, double y)
 
     return dem_select((x >= 0.0) & (x <= DBL_MAX), z, NAN);
 }
-
-#endif

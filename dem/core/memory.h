@@ -19,8 +19,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_MEMORY_H
-#define DEM_CORE_MEMORY_H
+#pragma once
 
 #include <stddef.h>
 
@@ -53,5 +52,3 @@ void dem_memory_free(void *p);
     dem_memory_resize((void **)&(pointer), (size_t)(from), (size_t)(to), sizeof *(pointer))
 #define DEM_NEW(pointer, count) \
     dem_memory_new((void **)&(pointer), (size_t)(count), sizeof *(pointer))
-
-#endif

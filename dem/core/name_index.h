@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_NAME_INDEX_H
-#define DEM_CORE_NAME_INDEX_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -32,5 +31,3 @@ int dem_name_index_add(struct dem_name_index *, uint64_t hash, size_t value);
 bool dem_name_index_next(const struct dem_name_index *, uint64_t hash, size_t *at, size_t *value);
 
 void dem_name_index_free(struct dem_name_index *);
-
-#endif

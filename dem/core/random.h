@@ -15,8 +15,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_RANDOM_H
-#define DEM_CORE_RANDOM_H
+#pragma once
 
 #include "core/device.h"
 
@@ -44,5 +43,3 @@ static inline double dem_random_unit(uint64_t seed, uint64_t id, uint64_t step, 
 {
     return (double)(int64_t)(dem_random_bits(seed, id, step, use) >> 11)*0x1p-53;
 }
-
-#endif

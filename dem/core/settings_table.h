@@ -20,8 +20,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_SETTINGS_TABLE_H
-#define DEM_CORE_SETTINGS_TABLE_H
+#pragma once
 
 #include "core/did_you_mean.h"
 
@@ -106,5 +105,3 @@ int dem_settings_set_word(const struct dem_setting *table, void *settings, const
 /* DEM_ERROR_INPUT with the names of all required settings that have no value. */
 int dem_settings_check_complete(const struct dem_setting *table, const void *settings,
                                 const char *owner);
-
-#endif

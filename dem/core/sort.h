@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_SORT_H
-#define DEM_CORE_SORT_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -37,5 +36,3 @@ void dem_sort_keys(uint64_t *key, uint32_t *index, size_t n, uint64_t *key_scrat
 
 /* Sort pairs in ascending order of (hi, lo); equal pairs keep their order. */
 void dem_sort_pairs(struct dem_sort_pair *pair, size_t n, struct dem_sort_pair *scratch);
-
-#endif

@@ -17,8 +17,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_SUM_H
-#define DEM_CORE_SUM_H
+#pragma once
 
 #include <stdint.h>
 
@@ -48,5 +47,3 @@ void dem_sum_normalise(struct dem_sum *s);
    infinite term; NaN with a NaN term or with both infinities. Raises no floating-point
    exception. */
 double dem_sum_value(const struct dem_sum *s);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_SUM_DIGITS_H
-#define DEM_CORE_SUM_DIGITS_H
+#pragma once
 
 #include "core/device.h"
 
@@ -35,5 +34,3 @@ DEM_MATH int dem_sum_digits_of(double value, struct dem_sum_digits *d)
     d->digit[2] = sign*(int64_t)(high >> 32);
     return exponent != 0x7ff;
 }
-
-#endif

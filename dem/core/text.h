@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_TEXT_H
-#define DEM_CORE_TEXT_H
+#pragma once
 
 #include <stddef.h>
 
@@ -41,5 +40,3 @@ int dem_text_numbers(const char *words, double *number, int most);
 
 /* Free the text; the struct is empty then. */
 void dem_text_free(struct dem_text *);
-
-#endif

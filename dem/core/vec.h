@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_VEC_H
-#define DEM_CORE_VEC_H
+#pragma once
 
 #include "core/device.h"
 
@@ -34,5 +33,3 @@ static inline double dem_vec_norm(const double a[3])
 {
     return sqrt(dem_vec_dot(a, a));
 }
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_CORE_VEC4_H
-#define DEM_CORE_VEC4_H
+#pragma once
 
 #if defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12
 #error "Suna needs gcc 12 or later, or clang 14; name another compiler with OMPI_CC=..."
@@ -39,5 +38,3 @@ __attribute__((always_inline)) static inline void dem_transpose4(dem_vec4 row[4]
     row[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
     row[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
-
-#endif

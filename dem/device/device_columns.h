@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_DEVICE_COLUMNS_H
-#define DEM_DEVICE_DEVICE_COLUMNS_H
+#pragma once
 
 #include "core/text.h"
 #include "device/opencl_device.h"
@@ -22,5 +21,3 @@ int dem_device_put_columns(struct dem_opencl *, const struct dem_opencl_memory *
                            const struct dem_particles *);
 int dem_device_get_columns(struct dem_opencl *, const struct dem_opencl_memory *,
                            const struct dem_particles *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_DEVICE_INTERNAL_H
-#define DEM_DEVICE_DEVICE_INTERNAL_H
+#pragma once
 
 #include "device/device_steps.h"
 #include "device/opencl_device.h"
@@ -157,5 +156,3 @@ int dem_device_receive_ghosts(struct dem_device *, const struct dem_state *);
 
 /* All memory in turn, for k from 0; NULL past the last. */
 struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);
-
-#endif

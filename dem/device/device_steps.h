@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_DEVICE_STEPS_H
-#define DEM_DEVICE_DEVICE_STEPS_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -76,5 +75,3 @@ struct dem_device_steps
 /* Collective. Make steps. Before the call positions have been drifted and lists are valid for the first step; after
    it positions have been drifted for the step that follows the last one made. */
 int dem_device_advance(struct dem_state *, struct dem_device_steps *);
-
-#endif

@@ -47,6 +47,10 @@ static void dem_fluid_begin(global const double *restrict columns, uint n, uint 
 #ifdef COLUMN_STRESS
     LOAD_VECTOR(STRESS, sx, sy, sz);
 #endif
+#ifdef COLUMN_TENSION
+    LOAD_VECTOR(TENSION, tension_x, tension_y, tension_z);
+    r->interface_distance = SCALAR(INTERFACE_DISTANCE);
+#endif
     r->void_fraction = SCALAR(VOID_FRACTION);
     r->density = SCALAR(FLUID_DENSITY);
 #ifdef COLUMN_MEAN_DIAMETER

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_OPENCL_CALLS_H
-#define DEM_DEVICE_OPENCL_CALLS_H
+#pragma once
 
 #include "device/opencl_device.h"
 
@@ -71,7 +70,5 @@ int dem_opencl_status(const struct dem_opencl *, cl_int error, const char *what)
 int dem_opencl_begin_times(struct dem_opencl *);
 cl_event *dem_opencl_time(struct dem_opencl *, const char *name);
 void dem_opencl_end_times(struct dem_opencl *);
-
-#endif
 
 #endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_OPENCL_DEVICE_H
-#define DEM_DEVICE_OPENCL_DEVICE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -91,5 +90,3 @@ static inline int dem_opencl_put(struct dem_opencl *cl, struct dem_opencl_memory
 
     return status ? status : dem_opencl_write(cl, m, 0, bytes, from);
 }
-
-#endif

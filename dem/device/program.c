@@ -7,7 +7,6 @@
  */
 #include "device/program.h"
 #include "core/error.h"
-#include "core/memory.h"
 #include "device/device_columns.h"
 #include "device/program_balance.h"
 #include "device/program_scalars.h"

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_PROGRAM_H
-#define DEM_DEVICE_PROGRAM_H
+#pragma once
 
 #include "core/text.h"
 #include "laws/interaction_table.h"
@@ -27,5 +26,3 @@ int dem_device_has_facets(const struct dem_walls *);
 
 /* Why an effect cannot be in a program, as the end of a sentence, or NULL. */
 const char *dem_device_effect_refusal(const struct dem_effect *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_PROGRAM_BALANCE_H
-#define DEM_DEVICE_PROGRAM_BALANCE_H
+#pragma once
 
 #include "core/text.h"
 #include "laws/interaction_table.h"
@@ -28,5 +27,3 @@ void dem_program_balance_after(const struct dem_program_balance *, const struct 
 
 /* The function body_balance: the work of body laws over a kick. */
 void dem_program_balance_bodies(const struct dem_program_balance *, const struct dem_effect_list *);
-
-#endif

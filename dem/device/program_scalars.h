@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_PROGRAM_SCALARS_H
-#define DEM_DEVICE_PROGRAM_SCALARS_H
+#pragma once
 
 #include "core/text.h"
 #include "laws/interaction_table.h"
@@ -17,5 +16,3 @@ void dem_device_scalars_after(struct dem_text *, const struct dem_effect_entry *
 /* SCALARS, RATES, and where the scalars of lists and their exchange are among the columns and how they
    change. */
 void dem_device_scalars_text(struct dem_text *, const struct dem_interaction_table *);
-
-#endif

@@ -37,14 +37,18 @@ static int is_new(struct dem_program_texts *p, const struct dem_device_text *t)
     return 1;
 }
 
-/* Append a line of a text. An #include is left out; *name: what it names. */
+/* Append a line of a text. #pragma once and #include are left out; *name: what it includes. */
 static void add_line(struct dem_program_texts *p, const char *line, size_t length, const char **name,
                      size_t *name_length)
 {
-    static const char begin[] = "#include ";
+    static const char begin[] = "#include ", once[] = "#pragma once";
     const char *const end = line + length;
 
     *name = NULL;
+    if (length == sizeof once - 1 && memcmp(line, once, length) == 0)
+    {
+        return;
+    }
     if (length <= sizeof begin || memcmp(line, begin, sizeof begin - 1) != 0)
     {
         dem_text_add(p->out, "%.*s\n", (int)length, line);

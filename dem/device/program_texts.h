@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_PROGRAM_TEXTS_H
-#define DEM_DEVICE_PROGRAM_TEXTS_H
+#pragma once
 
 #include "core/text.h"
 #include "device/texts.h"
@@ -33,5 +32,3 @@ const struct dem_device_text *dem_program_find_text(const char *name, size_t len
    include each other in a circle. */
 int dem_program_include(struct dem_program_texts *, const struct dem_device_text *);
 int dem_program_include_name(struct dem_program_texts *, const char *name);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_SELF_TEST_H
-#define DEM_DEVICE_SELF_TEST_H
+#pragma once
 
 #include "device/opencl_device.h"
 #include "laws/interaction_table.h"
@@ -12,5 +11,3 @@
 /* Random rows of each pair class through the laws of the class, on the device and here.
    DEM_ERROR_STATE with the numbers when a bit differs. */
 int dem_device_self_test(struct dem_opencl *, const struct dem_interaction_table *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_SHARED_H
-#define DEM_DEVICE_SHARED_H
+#pragma once
 
 #include "walls/pose.h"
 
@@ -147,5 +146,3 @@ struct dem_device_batch
     int loads, work;                        /* 1: sums of loads on walls; of the work of walls that move */
     int64_t number;                         /*    of the first step of the batch, in the run */
 };
-
-#endif

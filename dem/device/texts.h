@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_DEVICE_TEXTS_H
-#define DEM_DEVICE_TEXTS_H
+#pragma once
 
 struct dem_device_text
 {
@@ -15,5 +14,3 @@ struct dem_device_text
 
 /* All of them, ended by NULL. */
 extern const struct dem_device_text dem_device_texts[];
-
-#endif

@@ -64,10 +64,13 @@ struct dem_fluid
     double *void_fraction;               /* in   1 */
     double *density;                     /* in   kg/m3 */
     double *viscosity;                   /* in   Pa s */
-    double *acceleration;                /* in   m/s2  3 each, Du/Dt; NULL, like the next four,
+    double *acceleration;                /* in   m/s2  3 each, Du/Dt; NULL, like the next six,
                                             unless an effect needs it */
     double *vorticity;                   /* in   1/s   3 each, curl u */
     double *stress;                      /* in   N/m3  3 each, div tau, viscous and turbulent */
+    double *tension;                     /* in   N/m   3 each, surface tension times the unit normal of
+                                            the interface of two fluids; 0: none */
+    double *interface_distance;          /* in   m     height of the centre above it, along the normal */
     double *mean_diameter;               /* in   m     Sauter mean of the particles around */
     double *turbulence;                  /* in   m2/s2, m2/s3  2 each, k and epsilon */
     double *slip_factor;                 /* in   1     change of the slip by a particle's motion,
@@ -141,6 +144,10 @@ double dem_sauter_diameter(double volume, double per_diameter);
    fluid's new velocity at the particle. `coefficient` gets K [kg/s], 1 each, `force` gets F [N],
    3 each. */
 int dem_fluid_reaction(const struct dem *, double window, double *coefficient, double *force);
+
+/* The force on each particle [N], 3 each, of effects at the interface of two fluids, for the columns tension and
+   interface_distance as they are now. The interface gets the opposite; dem_fluid_reaction does not contain it. */
+void dem_fluid_interface_force(const struct dem *, double *force);
 
 /* The largest rate at which drag takes up the slip of a particle of this rank [1/s]: b/(m + a),
    with b the mean drag coefficient over the last advance in a fluid of given velocity and a the

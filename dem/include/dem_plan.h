@@ -90,6 +90,7 @@ enum dem_effect_trait
     DEM_TRAIT_FLUID_STRESS = 4,        /* reads div tau of the fluid */
     DEM_TRAIT_FLUID = 8,               /* acts in a fluid only */
     DEM_TRAIT_TURBULENCE = 32,         /* reads k and epsilon of the fluid */
+    DEM_TRAIT_INTERFACE = 64,          /* reads the interface of two fluids */
     DEM_TRAIT_VISCOSITY = 16           /* reads the viscosity, unless it has a setting of its own */
 };
 

@@ -25,8 +25,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_INPUT_DICTIONARY_H
-#define DEM_INPUT_DICTIONARY_H
+#pragma once
 
 #include "core/settings_table.h"
 
@@ -155,5 +154,3 @@ const char *dem_entry_where(const struct dem_entry *e);
    marks all of d as read, for entries that other code reads. */
 int dem_dict_refuse_unread(const struct dem_dict *d);
 void dem_dict_mark_read(const struct dem_dict *d);
-
-#endif

@@ -75,23 +75,24 @@ struct kind
     size_t size;
 };
 
-/* The array has the capacity for the largest possible number of items: each takes at least one
-   token. */
+/* `values`: where the pointer to the array goes. It has the capacity for the largest possible number of
+   items: each takes at least one token. */
 static int read_list(const struct dem_dict *d, const char *name, const struct kind *kind,
-                     const char *unit, void **items, size_t *n)
+                     const char *unit, void *values, size_t *n)
 {
     const struct dem_entry *e;
     struct dem_cursor c;
     double claimed;
+    void *items;
 
     *n = 0;
     DEM_TRY(dem_dict_require(d, name, unit, &e));
-    DEM_TRY(dem_dict_pool_alloc(e->parent->pool, (e->count + 1)*kind->size, items));
+    DEM_TRY(dem_dict_pool_alloc(e->parent->pool, (e->count + 1)*kind->size, &items));
     if (!open_list(e, &c, &claimed))
     {
         return dem_dict_refuse_value(e, kind->expected, unit);
     }
-    while (kind->take(&c, *items, *n))
+    while (kind->take(&c, items, *n))
     {
         (*n)++;
     }
@@ -99,6 +100,7 @@ static int read_list(const struct dem_dict *d, const char *name, const struct ki
     {
         return dem_dict_refuse_value(e, kind->expected, unit);
     }
+    memcpy(values, &items, sizeof items);
     return check_length(e, claimed, *n);
 }
 
@@ -106,22 +108,16 @@ int dem_dict_numbers(const struct dem_dict *d, const char *name, const char *uni
                      const double **values, size_t *n)
 {
     static const struct kind numbers = {"a list of numbers ( ... )", take_number, sizeof(double)};
-    void *items;
 
-    DEM_TRY(read_list(d, name, &numbers, unit, &items, n));
-    *values = items;
-    return DEM_OK;
+    return read_list(d, name, &numbers, unit, values, n);
 }
 
 int dem_dict_int64s(const struct dem_dict *d, const char *name, const int64_t **values, size_t *n)
 {
     static const struct kind wholes = {"a list of whole numbers ( ... )", take_whole,
                                        sizeof(int64_t)};
-    void *items;
 
-    DEM_TRY(read_list(d, name, &wholes, "", &items, n));
-    *values = items;
-    return DEM_OK;
+    return read_list(d, name, &wholes, "", values, n);
 }
 
 int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *unit,
@@ -129,11 +125,8 @@ int dem_dict_vectors(const struct dem_dict *d, const char *name, const char *uni
 {
     static const struct kind vectors = {"a list of vectors ( (x y z) ... )", take_vector,
                                         sizeof(double[3])};
-    void *items;
 
-    DEM_TRY(read_list(d, name, &vectors, unit, &items, n));
-    *values = items;
-    return DEM_OK;
+    return read_list(d, name, &vectors, unit, values, n);
 }
 
 int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
@@ -141,21 +134,15 @@ int dem_dict_fours(const struct dem_dict *d, const char *name, const char *unit,
 {
     static const struct kind fours = {"a list of four numbers each ( (x y z r) ... )", take_four,
                                       sizeof(double[4])};
-    void *items;
 
-    DEM_TRY(read_list(d, name, &fours, unit, &items, n));
-    *values = items;
-    return DEM_OK;
+    return read_list(d, name, &fours, unit, values, n);
 }
 
 int dem_dict_words(const struct dem_dict *d, const char *name, const char *const **words, size_t *n)
 {
     static const struct kind kind = {"a list of words ( ... )", take_word, sizeof(char *)};
-    void *items;
 
-    DEM_TRY(read_list(d, name, &kind, "", &items, n));
-    *words = items;
-    return DEM_OK;
+    return read_list(d, name, &kind, "", words, n);
 }
 
 /* The name of this dictionary in messages of the settings table. */

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_INPUT_DICTIONARY_TREE_H
-#define DEM_INPUT_DICTIONARY_TREE_H
+#pragma once
 
 #include "core/name_index.h"
 #include "input/dictionary.h"
@@ -186,5 +185,3 @@ bool dem_dict_is_whole(const char *text, int64_t *value);
 /* The entry that "$name" in the dictionary `here` refers to; an error when there is none. */
 int dem_dict_macro(const struct dem_dict *here, const char *file, const struct dem_token *token,
                    const struct dem_entry **e);
-
-#endif

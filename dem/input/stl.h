@@ -6,13 +6,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_INPUT_STL_H
-#define DEM_INPUT_STL_H
+#pragma once
 
 #include <stddef.h>
 
 /* n triangles, 9 coordinates each [m], `scale` being metres per unit of the file; the caller frees
    *corners with dem_memory_free. DEM_ERROR_FILE names the wrong line or triangle. */
 int dem_stl_read(const char *path, double scale, double **corners, size_t *n);
-
-#endif

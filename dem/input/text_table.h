@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_INPUT_TEXT_TABLE_H
-#define DEM_INPUT_TEXT_TABLE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -41,5 +40,3 @@ struct dem_text_table
 /* Read the whole file. An unknown name or one that comes twice, and a row that does not have a finite
    number for each column, are errors that name file and line. */
 int dem_text_table_read(struct dem_text_table *);
-
-#endif

@@ -21,8 +21,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_INPUT_TIME_TABLE_H
-#define DEM_INPUT_TIME_TABLE_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -60,5 +59,3 @@ double dem_time_table_shortest(const struct dem_time_table *);
 
 /* Differs between tables with different rows or interpolation. */
 uint64_t dem_time_table_hash(const struct dem_time_table *);
-
-#endif

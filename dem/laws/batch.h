@@ -213,6 +213,12 @@ struct dem_body_batch
     _Alignas(64) double sx[DEM_BATCH_ROWS];
     _Alignas(64) double sy[DEM_BATCH_ROWS];
     _Alignas(64) double sz[DEM_BATCH_ROWS];
+    /* N/m    surface tension times the unit normal of the interface of two fluids, and
+       m      height of the centre above it along that normal (with DEM_NEEDS_INTERFACE) */
+    _Alignas(64) double tension_x[DEM_BATCH_ROWS];
+    _Alignas(64) double tension_y[DEM_BATCH_ROWS];
+    _Alignas(64) double tension_z[DEM_BATCH_ROWS];
+    _Alignas(64) double interface_distance[DEM_BATCH_ROWS];
     /* m      Sauter mean of the surrounding particles (with DEM_NEEDS_MEAN_DIAMETER) */
     _Alignas(64) double mean_diameter[DEM_BATCH_ROWS];
     /* voidage factors of the drag law, set at the start of a coupling window */

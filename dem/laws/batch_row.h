@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_BATCH_ROW_H
-#define DEM_LAWS_BATCH_ROW_H
+#pragma once
 
 #include "laws/batch.h"
 #include "laws/row.h"
@@ -223,5 +222,3 @@ DEM_MATH void dem_body_row_store(const struct dem_body_row *r, unsigned sets,
         b->scalars[0].to_target[c] = r->scalars[0].to_target;
     }
 }
-
-#endif

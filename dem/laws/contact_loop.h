@@ -14,6 +14,7 @@
  *   COLUMNS  the number of history columns; default: none
  *   SCALARS  the number of particle scalars; default: none
  *   BEFORE   called with settings and batch before the rows; default: nothing
+ *   ENERGY   defined: energy(), too, from <LAW>_energy_row() (energy_loop.h)
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -56,6 +57,10 @@ static void LOOP(const void *of, struct dem_contact_batch *restrict b, double *c
     }
 }
 
+#ifdef ENERGY
+#include "laws/energy_loop.h"
+#endif
+
 #undef LAW
 #undef SETS
 #undef LOOP
@@ -63,3 +68,4 @@ static void LOOP(const void *of, struct dem_contact_batch *restrict b, double *c
 #undef COLUMNS
 #undef SCALARS
 #undef BEFORE
+#undef ENERGY

@@ -61,7 +61,8 @@ enum dem_needs                                            /* optional columns of
     DEM_NEEDS_TURBULENCE = 512,                           /* body: the fluid's fluctuation in u */
     DEM_NEEDS_RADII = 1024,                               /* contact with scalars: radii of both */
     DEM_NEEDS_DISSIPATION = 2048,                         /* contact: dissipated */
-    DEM_NEEDS_FORM = 4096                                 /* body: sphericity crosswise lengthwise */
+    DEM_NEEDS_FORM = 4096,                                /* body: sphericity crosswise lengthwise */
+    DEM_NEEDS_INTERFACE = 8192                            /* body: tension_x y z, interface_distance */
 };
 
 /* how a law acts on parcels (laws/parcels.h) of the ratio l */

@@ -45,6 +45,7 @@
     ROW(tenneti)                                                                                                      \
     ROW(hoelzer_sommerfeld)                                                                                           \
     ROW(viscous_stress)                                                                                               \
+    ROW(capillary_force)                                                                                         \
     ROW(virtual_mass)                                                                                                 \
     ROW(saffman_mei)                                                                                                  \
     ROW(magnus)                                                                                                       \

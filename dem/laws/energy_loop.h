@@ -1,13 +1,7 @@
 /*
- * energy_loop.h -- template: the energy of a contact law over a batch. Include it after
- * contact_loop.h:
- *
- *   #define LAW dem_hertz
- *   #define COLUMNS 0
- *   #include "laws/energy_loop.h"
- *
- * defines energy(settings, batch, before, history, energy) from struct dem_hertz and
- * dem_hertz_energy_row() (energy_row.h). COLUMNS: the number of history columns.
+ * energy_loop.h -- template: the energy of a contact law over a batch. contact_loop.h includes it; it
+ * defines energy(settings, batch, before, history, energy) from struct <LAW> and <LAW>_energy_row()
+ * (energy_row.h). COLUMNS: the number of history columns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -36,6 +30,3 @@ static void energy(const void *of, const struct dem_contact_batch *restrict batc
         e->lost[c] = q.lost;
     }
 }
-
-#undef LAW
-#undef COLUMNS

@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ENERGY_ROW_H
-#define DEM_LAWS_ENERGY_ROW_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -22,5 +21,3 @@ struct dem_energy_row
 {
     DEM_ENERGY_COLUMNS(DEM_ROW_MEMBER)
 };
-
-#endif

@@ -11,7 +11,6 @@
 #include "core/memory.h"
 #include "laws/effects.h"
 #include "laws/fluid/viscosity.h"
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_INTERACTION_TABLE_H
-#define DEM_LAWS_INTERACTION_TABLE_H
+#pragma once
 
 #include "laws/effect.h"
 #include "laws/fused/fused.h"
@@ -249,5 +248,3 @@ int dem_effect_prepare(const struct dem_effect *, void *settings, const struct d
 
 /* Number of history columns of an effect. */
 int dem_effect_history_columns(const struct dem_effect *);
-
-#endif

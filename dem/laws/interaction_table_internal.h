@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_INTERACTION_TABLE_INTERNAL_H
-#define DEM_LAWS_INTERACTION_TABLE_INTERNAL_H
+#pragma once
 
 #include "laws/interaction_table.h"
 
@@ -19,5 +18,3 @@ struct dem_override                                       /* a setting for one p
 
 /* Apply the setting to a copy of the settings of its effect. */
 int dem_override_apply(const struct dem_override *, void *settings);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_MATERIAL_ENTRY_H
-#define DEM_LAWS_MATERIAL_ENTRY_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "laws/interaction_table.h"
@@ -13,5 +12,3 @@
    it. */
 int dem_material_entry_read(const struct dem_dict *, const struct dem_interaction_table *,
                             int *material);
-
-#endif

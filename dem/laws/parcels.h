@@ -18,8 +18,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_PARCELS_H
-#define DEM_LAWS_PARCELS_H
+#pragma once
 
 #include "core/error.h"
 #include "laws/effect.h"
@@ -46,5 +45,3 @@ static inline int dem_parcels_scale(const struct dem_pair_class *pair, const cha
     }
     return DEM_OK;
 }
-
-#endif

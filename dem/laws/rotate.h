@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROTATE_H
-#define DEM_LAWS_ROTATE_H
+#pragma once
 
 #include "core/math.h"
 
@@ -71,5 +70,3 @@ DEM_MATH struct dem_history_vector dem_rotate_to_plane(struct dem_history_vector
     return dem_rotate_add(a, -dem_rotate_dot(n, a)/(1.0 + dem_rotate_dot(h, n)),
                           dem_rotate_add(h, 1.0, n));
 }
-
-#endif

@@ -43,6 +43,7 @@ enum
     COLUMN(void_fraction) COLUMN(density) COLUMN(viscosity)                                    \
     COLUMN(ax) COLUMN(ay) COLUMN(az) COLUMN(ox) COLUMN(oy) COLUMN(oz)                          \
     COLUMN(sx) COLUMN(sy) COLUMN(sz) COLUMN(mean_diameter) COLUMN(added_mass)                  \
+    COLUMN(tension_x) COLUMN(tension_y) COLUMN(tension_z) COLUMN(interface_distance)           \
     COLUMN(fx) COLUMN(fy) COLUMN(fz) COLUMN(rx) COLUMN(ry) COLUMN(rz)                          \
     COLUMN(drag) COLUMN(drag_ux) COLUMN(drag_uy) COLUMN(drag_uz)                               \
     COLUMN(spin_drag) COLUMN(spin_drag_wx) COLUMN(spin_drag_wy) COLUMN(spin_drag_wz)

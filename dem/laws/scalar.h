@@ -22,8 +22,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SCALAR_H
-#define DEM_LAWS_SCALAR_H
+#pragma once
 
 #include "laws/batch.h"
 #include <stddef.h>
@@ -125,5 +124,3 @@ struct dem_scalar_bodies
     double *coefficient;          /* C/s       B, >= 0 */
     double *to_target;            /* unit C/s  B s* */
 };
-
-#endif

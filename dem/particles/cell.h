@@ -27,8 +27,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CELL_H
-#define DEM_PARTICLES_CELL_H
+#pragma once
 
 #include <stdint.h>
 
@@ -60,5 +59,3 @@ struct dem_cell
     double rate[3], integral[3];  /* 1/s, Pa  of held axes: D until the next measurement, H */
     double backup[4][3];          /* length, rate, integral; offset and strain of the shear */
 };
-
-#endif

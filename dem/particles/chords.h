@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CHORDS_H
-#define DEM_PARTICLES_CHORDS_H
+#pragma once
 
 #include "particles/particles.h"
 #include <math.h>
@@ -52,5 +51,3 @@ static inline void dem_chords_unite(struct dem_chords *c)
     }
     c->n = c->n > 0 ? last + 1 : 0;
 }
-
-#endif

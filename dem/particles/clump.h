@@ -29,8 +29,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CLUMP_H
-#define DEM_PARTICLES_CLUMP_H
+#pragma once
 
 #include "particles/domain.h"
 #include "particles/particles.h"
@@ -163,5 +162,3 @@ void dem_clump_fall(struct dem_particles *, size_t i, const double g[3], double 
 
 /* Wrap the centre of the body of a particle along periodic axes. */
 void dem_clump_wrap(const struct dem_domain *, const struct dem_particles *, size_t i);
-
-#endif

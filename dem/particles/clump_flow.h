@@ -27,8 +27,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CLUMP_FLOW_H
-#define DEM_PARTICLES_CLUMP_FLOW_H
+#pragma once
 
 #include "particles/clump.h"
 #include "particles/clump_form.h"
@@ -98,5 +97,3 @@ void dem_clump_flow_drag(const struct dem_clump_flow_row *, const struct dem_clu
 void dem_clump_share_decay(const struct dem_clumps *, const struct dem_particles *, const double *time,
                            double *decay, int per_mass);
 void dem_clump_flow_end_window(const struct dem_clumps *, struct dem_particles *);
-
-#endif

@@ -19,8 +19,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CLUMP_FORM_H
-#define DEM_PARTICLES_CLUMP_FORM_H
+#pragma once
 
 #include "laws/batch.h"
 #include "particles/clump_shape.h"
@@ -48,5 +47,3 @@ void dem_clump_form_make(struct dem_clump_form *, const struct dem_clump_shape *
    the form form[which[c]], or is a sphere where that is -1. */
 void dem_clump_forms_along(const struct dem_clump_form *form, const int *which, double n[3][DEM_BATCH_ROWS], int rows,
                            double *crosswise, double *lengthwise);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CLUMP_LANES_H
-#define DEM_PARTICLES_CLUMP_LANES_H
+#pragma once
 
 #include "core/vec4.h"
 #include "particles/clump.h"
@@ -221,5 +220,3 @@ DEM_MATH void dem_clump_spread(const struct dem_clump_group *g, const struct dem
         dem_clump_set_motion(s, record, v, w);
     }
 }
-
-#endif

@@ -33,8 +33,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_CLUMP_SHAPE_H
-#define DEM_PARTICLES_CLUMP_SHAPE_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "particles/particles.h"
@@ -75,5 +74,3 @@ const struct dem_clump_shape *dem_clump_shapes_with_volume(const struct dem_clum
 
 /* The smallest bond_radius [m] of all shapes; 0: there is none. */
 double dem_clump_shapes_bond_radius(const struct dem_clump_shapes *);
-
-#endif

@@ -15,8 +15,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_DOMAIN_H
-#define DEM_PARTICLES_DOMAIN_H
+#pragma once
 
 #include "particles/periodic_image.h"
 #include "particles/particles.h"
@@ -74,5 +73,3 @@ void dem_domain_constrain(const struct dem_domain *, struct dem_particles *);
 /* 1 when the position lies inside along all bounded axes, and within 1024 boxes along periodic
    ones. */
 int dem_domain_contains(const struct dem_domain *, const double x[3]);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_INITIAL_PARTICLES_H
-#define DEM_PARTICLES_INITIAL_PARTICLES_H
+#pragma once
 
 #include "laws/interaction_table.h"
 #include "particles/clump.h"
@@ -71,5 +70,3 @@ int dem_initial_particles_add(struct dem_initial_particles *, struct dem_particl
 
 /* Free the particles, once they have been copied into the particle arrays; the summaries stay. */
 void dem_initial_particles_release(struct dem_initial_particles *);
-
-#endif

@@ -20,7 +20,6 @@
 #include "particles/orientation.h"
 #include "laws/effect.h"
 #include "particles/turn.h"
-#include <math.h>
 
 void dem_orientation_begin(struct dem_particles *p)
 {

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_ORIENTATION_H
-#define DEM_PARTICLES_ORIENTATION_H
+#pragma once
 
 #include "particles/particles.h"
 
@@ -17,5 +16,3 @@ void dem_orientation_begin(struct dem_particles *);
 /* Rotate owned particles by their present spins over a step of dt [s]. Nothing without the
    column. */
 void dem_orientation_turn(struct dem_particles *, double dt);
-
-#endif

@@ -19,6 +19,8 @@ static const struct dem_column columns[DEM_COLUMNS] = {
                                        DEM_GROUP_FLUID | DEM_GROUP_ACCELERATION, NULL},
     [DEM_COLUMN_VORTICITY] = {"fluidVorticity", 3, DEM_GROUP_FLUID | DEM_GROUP_VORTICITY, NULL},
     [DEM_COLUMN_STRESS] = {"fluidStress", 3, DEM_GROUP_FLUID | DEM_GROUP_STRESS, NULL},
+    [DEM_COLUMN_TENSION] = {"tension", 3, DEM_GROUP_FLUID | DEM_GROUP_INTERFACE, NULL},
+    [DEM_COLUMN_INTERFACE_DISTANCE] = {"interfaceDistance", 1, DEM_GROUP_FLUID | DEM_GROUP_INTERFACE, NULL},
     [DEM_COLUMN_MEAN_DIAMETER] = {"meanDiameter", 1, DEM_GROUP_FLUID | DEM_GROUP_MEAN_DIAMETER,
                                   NULL},
     [DEM_COLUMN_TURBULENCE] = {"fluidTurbulence", 2, DEM_GROUP_FLUID | DEM_GROUP_TURBULENCE, NULL},

@@ -61,7 +61,8 @@ enum dem_column_group
     DEM_GROUP_BIRTH = 65536,          /* outlets that ask for the residence time */
     DEM_GROUP_CLUMP = 32768,          /* rigid bodies of several spheres */
     DEM_GROUP_OWN_WAKE = 16384,       /* coupling that subtracts a particle's own wake */
-    DEM_GROUP_UNDER_RELAXATION = 2048 /* light particles in a fluid that they displace */
+    DEM_GROUP_UNDER_RELAXATION = 2048, /* light particles in a fluid that they displace */
+    DEM_GROUP_INTERFACE = 131072      /* effects that need the interface of two fluids */
 };
 
 enum
@@ -81,6 +82,8 @@ enum dem_column_name
     DEM_COLUMN_FLUID_ACCELERATION,
     DEM_COLUMN_VORTICITY,
     DEM_COLUMN_STRESS,
+    DEM_COLUMN_TENSION,                  /* N/m  surface tension times the interface's normal */
+    DEM_COLUMN_INTERFACE_DISTANCE,       /* m    height above it */
     DEM_COLUMN_MEAN_DIAMETER,
     DEM_COLUMN_TURBULENCE,               /* m2/s2, m2/s3  k, epsilon */
     DEM_COLUMN_EDDY,                     /* 1    4: fluctuation over sqrt(2 k/3), time left in the
@@ -124,7 +127,7 @@ enum dem_column_name
     DEM_COLUMN_BIRTH,                    /* s    time of the entry into the domain */
     DEM_COLUMN_CLUMP,                    /* the body of a sphere: struct dem_clump */
     DEM_COLUMNS,                         /* from here on columns of scalars, in use in this scene */
-    DEM_FURTHER_COLUMNS = 26,            /* limit of their number */
+    DEM_FURTHER_COLUMNS = 24,            /* limit of their number */
     DEM_BATCH_COLUMNS = 4                /* limit of those that fill columns of batches */
 };
 

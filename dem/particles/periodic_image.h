@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_PERIODIC_IMAGE_H
-#define DEM_PARTICLES_PERIODIC_IMAGE_H
+#pragma once
 
 #include "core/device.h"
 
@@ -74,5 +73,3 @@ static inline uint32_t dem_image_of_pair(int shift, uint32_t image_i, uint32_t i
     }
     return image;
 }
-
-#endif

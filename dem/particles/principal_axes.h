@@ -3,11 +3,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_PRINCIPAL_AXES_H
-#define DEM_PARTICLES_PRINCIPAL_AXES_H
+#pragma once
 
 /* A becomes diagonal, with the principal moments; the columns of R are the principal axes, and the quaternion q
    is the rotation R from them to the axes of A. */
 void dem_principal_axes(double A[3][3], double R[3][3], double q[4]);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_QUATERNION_H
-#define DEM_PARTICLES_QUATERNION_H
+#pragma once
 
 #include "core/device.h"
 
@@ -42,5 +41,3 @@ DEM_MATH void dem_quaternion_spin(const double q[4], const double inertia[3], co
     body[2] /= inertia[2];
     dem_quaternion_rotate(q, 1.0, body, spin);
 }
-
-#endif

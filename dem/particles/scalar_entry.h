@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_SCALAR_ENTRY_H
-#define DEM_PARTICLES_SCALAR_ENTRY_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "laws/interaction_table.h"
@@ -39,5 +38,3 @@ int dem_scalar_entries_parcel_ratio(const struct dem_interaction_table *,
    last stage that counts. */
 int dem_scalar_refuse_unused(const struct dem_dict *, const struct dem_interaction_table *,
                              enum dem_stage last);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_SCALARS_H
-#define DEM_PARTICLES_SCALARS_H
+#pragma once
 
 #include "laws/interaction_table.h"
 #include "particles/particles.h"
@@ -47,5 +46,3 @@ int dem_scalars_check(const struct dem_particles *, const struct dem_interaction
 /* The value that an entry of a scene gives to particle `number`; `seed` and these choose the random
    number of a range. */
 double dem_scalar_draw(const struct dem_scalar_entry *, int scalar, uint64_t seed, uint64_t number);
-
-#endif

@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_SPHERE_UNION_H
-#define DEM_PARTICLES_SPHERE_UNION_H
+#pragma once
 
 #include <stddef.h>
 
@@ -25,5 +24,3 @@ struct dem_union_moments
 
 /* n spheres, at most DEM_CLUMP_SPHERES: x, y, z and radius [m]. */
 void dem_sphere_union(size_t n, const double (*sphere)[4], struct dem_union_moments *);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_TURN_H
-#define DEM_PARTICLES_TURN_H
+#pragma once
 
 #include "core/device.h"
 
@@ -31,5 +30,3 @@ DEM_MATH void dem_turn(double wx, double wy, double wz, double half_dt, double q
     q[2] = scale*c;
     q[3] = scale*d;
 }
-
-#endif

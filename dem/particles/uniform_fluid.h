@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_PARTICLES_UNIFORM_FLUID_H
-#define DEM_PARTICLES_UNIFORM_FLUID_H
+#pragma once
 
 #include "laws/scalar.h"
 #include "particles/particles.h"
@@ -26,5 +25,3 @@ struct dem_uniform_fluid                                  /* the entry fluid */
    be overwritten by the coupling. `mean` [m]: mean (Sauter) diameter of all particles. */
 void dem_uniform_fluid_fill(struct dem_particles *, size_t i, const struct dem_uniform_fluid *,
                       double mean);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_AGREE_H
-#define DEM_RANKS_AGREE_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -26,5 +25,3 @@ int dem_unagreed_keep_error(struct dem_unagreed *, int status);
 
 /* Collective. The same without numbers. */
 int dem_agree(struct dem_state *, int status);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_BACKUP_H
-#define DEM_RANKS_BACKUP_H
+#pragma once
 
 #include "contacts/contacts.h"
 #include "particles/particles.h"
@@ -32,5 +31,3 @@ int dem_backup_save(struct dem_backup *, const struct dem_particles *, const str
 /* Put the copy back. The contacts then have no pairs; their history is saved history, which the
    next rebuild assigns to the new rows. */
 int dem_backup_restore(const struct dem_backup *, struct dem_particles *, struct dem_contacts *);
-
-#endif

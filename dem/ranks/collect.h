@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_COLLECT_H
-#define DEM_RANKS_COLLECT_H
+#pragma once
 
 #include "ranks/decomposition.h"
 #include <stddef.h>
@@ -71,5 +70,3 @@ int dem_collect_gather(const struct dem_decomposition *, int status,
    replace the array *all. `total` is 0 on failure. */
 int dem_collect_records(const struct dem_decomposition *, const struct dem_collect_items *,
                         int (*compare)(const void *, const void *), void **all, int64_t *total);
-
-#endif

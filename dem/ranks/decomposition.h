@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_DECOMPOSITION_H
-#define DEM_RANKS_DECOMPOSITION_H
+#pragma once
 
 #include "particles/particles.h"
 #include <mpi.h>
@@ -52,5 +51,3 @@ int dem_decomposition_owner(const struct dem_decomposition *, const double x[3])
 /* The box [m] of a rank; outer limits are infinite. */
 void dem_decomposition_box(const struct dem_decomposition *, int rank, double min[3],
                            double max[3]);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_DEM_STATE_H
-#define DEM_RANKS_DEM_STATE_H
+#pragma once
 
 #include "core/error.h"
 #include "particles/applied_forces.h"
@@ -149,5 +148,3 @@ struct dem_state
     /* called during an advance */
     struct dem_progress progress;
 };
-
-#endif

@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_HALO_H
-#define DEM_RANKS_HALO_H
+#pragma once
 
 #include "particles/domain.h"
 #include "ranks/sparse_exchange.h"
@@ -114,5 +113,3 @@ void dem_halo_wait(struct dem_halo *);
 /* Collective. Send the inverse inertial mass (with added mass) and the columns ghost_window to the
    ghosts. */
 int dem_halo_refresh_window(struct dem_halo *, struct dem_particles *);
-
-#endif

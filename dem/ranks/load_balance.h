@@ -13,8 +13,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_LOAD_BALANCE_H
-#define DEM_RANKS_LOAD_BALANCE_H
+#pragma once
 
 #include "ranks/decomposition.h"
 #include "contacts/contacts.h"
@@ -45,5 +44,3 @@ int dem_load_balance_pays(struct dem_load_balance *, const struct dem_decomposit
 int dem_load_balance_set_weights(struct dem_load_balance *, const struct dem_particles *,
                                  const struct dem_contacts *);
 void dem_load_balance_keep_weights(struct dem_load_balance *, const uint32_t *order, size_t count);
-
-#endif

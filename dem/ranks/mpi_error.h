@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_MPI_ERROR_H
-#define DEM_RANKS_MPI_ERROR_H
+#pragma once
 
 #include "core/error.h"
 #include <mpi.h>
@@ -25,5 +24,3 @@ int dem_mpi_status(const char *call, int code);
 
 /* Leave the calling function with DEM_ERROR_MPI when an MPI call has failed. */
 #define DEM_TRY_MPI(call) DEM_TRY(DEM_MPI_STATUS(call))
-
-#endif

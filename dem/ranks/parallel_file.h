@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_PARALLEL_FILE_H
-#define DEM_RANKS_PARALLEL_FILE_H
+#pragma once
 
 #include "ranks/decomposition.h"
 #include <mpi.h>
@@ -68,5 +67,3 @@ void dem_parallel_file_write(struct dem_parallel_file *, size_t at, const void *
 void dem_parallel_file_read(struct dem_parallel_file *, size_t at, void *data, size_t size);
 /* bytes in the file; 0 when unknown */
 size_t dem_parallel_file_size(struct dem_parallel_file *);
-
-#endif

@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_SPARSE_EXCHANGE_H
-#define DEM_RANKS_SPARSE_EXCHANGE_H
+#pragma once
 
 #include <mpi.h>
 #include <stddef.h>
@@ -46,5 +45,3 @@ int dem_messages_extend(struct dem_messages *, size_t count, double **where);
    failed, before or in the exchange, all return an error. */
 int dem_messages_exchange(MPI_Comm, int status, const struct dem_messages *out,
                           struct dem_messages *in);
-
-#endif

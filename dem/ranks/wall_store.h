@@ -18,8 +18,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RANKS_WALL_STORE_H
-#define DEM_RANKS_WALL_STORE_H
+#pragma once
 
 #include "particles/domain.h"
 #include "particles/particles.h"
@@ -94,5 +93,3 @@ int dem_wall_store_corners(struct dem_wall_store *, const struct dem_walls *, in
    then drop it. */
 int dem_wall_store_exchange(struct dem_wall_store *, int status);
 void dem_wall_store_drop_received(struct dem_wall_store *);
-
-#endif

@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_AVERAGES_IO_H
-#define DEM_RECORDS_AVERAGES_IO_H
+#pragma once
 
 #include "input/dictionary.h"
 
@@ -42,5 +41,3 @@ struct dem_averages_quantity         /* one quantity in all cells */
    numbers apart. Not collective. */
 int dem_averages_io_write(const char *folder, const struct dem_averages_entry *,
                           const struct dem_averages_quantity *, int fields, size_t stride);
-
-#endif

@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_BED_PACKING_H
-#define DEM_RECORDS_BED_PACKING_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -27,5 +26,3 @@ int dem_bed_packing_measure(const struct dem_state *, struct dem_bed_packing *);
 
 /* 1: void fraction of the slab of this mean cross-section [m2] */
 double dem_bed_packing_void_fraction(const struct dem_bed_packing *, double area);
-
-#endif

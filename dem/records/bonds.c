@@ -13,7 +13,6 @@
 #include "core/vec.h"
 #include "ranks/dem_state.h"
 #include <float.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

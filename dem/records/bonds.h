@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_BONDS_H
-#define DEM_RECORDS_BONDS_H
+#pragma once
 
 #include "dem_types.h"
 #include "laws/batch.h"
@@ -39,5 +38,3 @@ int dem_bonds_write_lines(struct dem_state *, const char *says, const char *fold
 /* Collective. Collect what all ranks have recorded since the last call in `all` of every rank,
    sorted by time and ids. */
 int dem_bonds_collect(struct dem_bonds *, const struct dem_decomposition *, int64_t *n);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_CELL_STRESS_H
-#define DEM_RECORDS_CELL_STRESS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -25,5 +24,3 @@ void dem_cell_measure(const struct dem_state *, struct dem_cell_measured *);
 
 /* Work of the cell over the time `span` [s] with the forces of the last sweep, into the energy balance. */
 void dem_cell_add_work(struct dem_state *, double span);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_CSV_TABLE_H
-#define DEM_RECORDS_CSV_TABLE_H
+#pragma once
 
 #include "ranks/parallel_file.h"
 #include <stddef.h>
@@ -23,5 +22,3 @@ enum
    rank, in the order of ranks. */
 int dem_csv_table_write(const struct dem_file_ranks *, const char *path, const char *columns,
                         int64_t n, dem_csv_row *row, const void *source);
-
-#endif

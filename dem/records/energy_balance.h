@@ -36,8 +36,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_ENERGY_BALANCE_H
-#define DEM_RECORDS_ENERGY_BALANCE_H
+#pragma once
 
 #include "core/sum.h"
 #include "dem_types.h"
@@ -239,5 +238,3 @@ static inline void dem_energy_balance_add(struct dem_sum *s, double value)
         dem_sum_add(s, value);
     }
 }
-
-#endif

@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_FINGERPRINT_H
-#define DEM_RECORDS_FINGERPRINT_H
+#pragma once
 
 #include "contacts/contacts.h"
 #include "particles/particles.h"
@@ -21,5 +20,3 @@ uint64_t dem_fingerprint_particle(const struct dem_particle *);
 uint64_t dem_fingerprint_scalar(int64_t id, const char *name, double value);
 uint64_t dem_fingerprint_contact(const struct dem_contact_key *, const double *history,
                                  int columns);
-
-#endif

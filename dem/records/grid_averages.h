@@ -21,8 +21,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_GRID_AVERAGES_H
-#define DEM_RECORDS_GRID_AVERAGES_H
+#pragma once
 
 #include "records/snapshot.h"
 #include "laws/interaction_table.h"
@@ -82,5 +81,3 @@ int dem_grid_averages_spans(const struct dem_grid_averages *, struct dem_grid_av
                             struct dem_span **, int *n);
 int dem_grid_averages_restore(struct dem_grid_averages *, const char *path, const char *bytes,
                               size_t size);
-
-#endif

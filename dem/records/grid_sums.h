@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_GRID_SUMS_H
-#define DEM_RECORDS_GRID_SUMS_H
+#pragma once
 
 #include "core/block_means.h"
 #include "records/averages_io.h"
@@ -58,5 +57,3 @@ void dem_grid_sums_free(struct dem_grid_sums *);
 int dem_grid_sums_sample(struct dem_grid_sums *, const struct dem_averages_entry *,
                          const struct dem_grid_columns *, const struct dem_state *, size_t n,
                          int status);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_INVENTORY_H
-#define DEM_RECORDS_INVENTORY_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -33,5 +32,3 @@ struct dem_inventory
 /* Collective. The results are the same on all ranks and on any number of ranks, except pairs, rows
    and bytes. Changes nothing. Errors of MPI are recorded (ranks/collect.h). */
 void dem_inventory_take(const struct dem_state *, struct dem_inventory *);
-
-#endif

@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_LOST_CAUSE_H
-#define DEM_RECORDS_LOST_CAUSE_H
+#pragma once
 
 #include "ranks/dem_state.h"
 #include "records/lost_particles.h"
@@ -25,5 +24,3 @@ void dem_lost_cause_outside(const struct dem_state *, size_t i, char cause[DEM_L
 /* Record all particles that crossed a wall in the last sweep (the rows in `pass` of the lost
    particles). After the sweep, before the forces are summed. */
 int dem_lost_cause_record_crossings(struct dem_state *);
-
-#endif

@@ -8,7 +8,6 @@
 #include "core/memory.h"
 #include "ranks/collect.h"
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 void dem_lost_particles_free(struct dem_lost_particles *l)

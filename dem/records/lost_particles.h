@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_LOST_PARTICLES_H
-#define DEM_RECORDS_LOST_PARTICLES_H
+#pragma once
 
 #include "dem_types.h"
 #include "ranks/decomposition.h"
@@ -33,5 +32,3 @@ int dem_lost_particles_add(struct dem_lost_particles *, const struct dem_particl
    sorted by time and id. */
 int dem_lost_particles_collect(struct dem_lost_particles *, const struct dem_decomposition *,
                                int64_t *n);
-
-#endif

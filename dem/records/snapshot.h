@@ -20,8 +20,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_SNAPSHOT_H
-#define DEM_RECORDS_SNAPSHOT_H
+#pragma once
 
 #include "particles/domain.h"
 #include "ranks/decomposition.h"
@@ -116,5 +115,3 @@ int dem_snapshot_read_caller_data(const char *path, void **bytes, size_t *size);
 /* The fingerprint of the state in a file, the same as dem_hash gives for a running simulation. Not
    collective. */
 int dem_snapshot_fingerprint(const char *path, uint64_t *fingerprint);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_SNAPSHOT_HEADER_H
-#define DEM_RECORDS_SNAPSHOT_HEADER_H
+#pragma once
 
 #include "records/snapshot.h"
 #include "ranks/parallel_file.h"
@@ -77,5 +76,3 @@ void dem_snapshot_slice(const struct dem_decomposition *, int64_t n, int64_t *fi
    which does not depend on the order of the items. */
 uint64_t dem_snapshot_header_checksum(const struct dem_snapshot_header *);
 uint64_t dem_snapshot_checksum(const double *data, size_t count, size_t size);
-
-#endif

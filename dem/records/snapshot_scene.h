@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_SNAPSHOT_SCENE_H
-#define DEM_RECORDS_SNAPSHOT_SCENE_H
+#pragma once
 
 #include "records/snapshot_header.h"
 #include "walls/walls.h"
@@ -62,5 +61,3 @@ int dem_snapshot_read_scene(const char *path, const struct dem_decomposition *,
 /* Bytes of the scene at the end of the caller's data of an open file. */
 int dem_snapshot_scene_size(struct dem_parallel_file *, const struct dem_snapshot_header *,
                             struct dem_snapshot_scene_tail *, size_t *size);
-
-#endif

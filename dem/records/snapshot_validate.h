@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_SNAPSHOT_VALIDATE_H
-#define DEM_RECORDS_SNAPSHOT_VALIDATE_H
+#pragma once
 
 #include "records/snapshot_header.h"
 
@@ -22,5 +21,3 @@ int dem_snapshot_validate_particle(const char *path, const struct dem_snapshot_h
    partner. Not collective. */
 int dem_snapshot_validate_contact(const char *path, const struct dem_snapshot_header *,
                                   const double *packed);
-
-#endif

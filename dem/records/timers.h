@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_TIMERS_H
-#define DEM_RECORDS_TIMERS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -76,5 +75,3 @@ void dem_timers_end_outside(struct dem_timers *);
 void dem_timers_seconds(const struct dem_timers *, double spent[DEM_PHASES]);
 
 const char *dem_phase_name(enum dem_phase);
-
-#endif

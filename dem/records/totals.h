@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_TOTALS_H
-#define DEM_RECORDS_TOTALS_H
+#pragma once
 
 #include "dem_types.h"
 #include "core/sum.h"
@@ -79,5 +78,3 @@ double dem_totals_sauter_diameter(const struct dem_state *);
 
 /* Collective. 1 if a rank has a driven particle. */
 int dem_totals_any_driven(const struct dem_state *);
-
-#endif

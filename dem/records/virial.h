@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_VIRIAL_H
-#define DEM_RECORDS_VIRIAL_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -23,5 +22,3 @@
    components as the mean of ab and ba; 6 numbers each. Positions must not have
    changed since that sweep. */
 void dem_virial_sum(const struct dem_state *, double *virial);
-
-#endif

@@ -22,8 +22,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_VTK_H
-#define DEM_RECORDS_VTK_H
+#pragma once
 
 #include "ranks/parallel_file.h"
 #include <stddef.h>
@@ -64,5 +63,3 @@ int dem_vtk_write_lines(const struct dem_file_ranks *, const char *path, int64_t
    folder. Entries of that time and later, which an earlier run may have left before a restart,
    are dropped. The collection is created if it does not exist. Not collective. */
 int dem_vtk_collection_add(const char *path, double time, const char *file);
-
-#endif

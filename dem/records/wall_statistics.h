@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_WALL_STATISTICS_H
-#define DEM_RECORDS_WALL_STATISTICS_H
+#pragma once
 
 #include "core/binned_sum.h"
 
@@ -51,5 +50,3 @@ void dem_wall_statistics_add_work(struct dem_state *, double span, int ahead);
    `factor`, to the sums of the wall; flush them before they are read. */
 void dem_wall_statistics_sum_forces(const struct dem_state *, int wall, double factor,
                                     struct dem_binned_sum *);
-
-#endif

@@ -29,8 +29,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RECORDS_WALL_WEAR_H
-#define DEM_RECORDS_WALL_WEAR_H
+#pragma once
 
 #include "contacts/contact_batch.h"
 #include "core/text.h"
@@ -72,5 +71,3 @@ void dem_wall_wear_describe(const struct dem_state *, struct dem_text *);
 /* On the first rank: a wall takes its sums from the text of a snapshot's scene. DEM_ERROR_FILE when its line is
    damaged; `path` names the snapshot. */
 int dem_wall_wear_resume(struct dem_state *, int wall, const char *text, const char *path);
-
-#endif

@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "device/device_steps.h"
 #include "device/opencl_device.h"
-#include <stdio.h>
 
 const char *dem_device(const struct dem *d)
 {

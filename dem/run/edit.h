@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RUN_EDIT_H
-#define DEM_RUN_EDIT_H
+#pragma once
 
 #include "case/dem_case.h"
 #include <string.h>
@@ -81,5 +80,3 @@ int dem_edit_require_present(struct dem *, const struct dem_edit *, int status);
 
 /* Collective. Make the edit, unless n is 0; frees the list. `status`: as above. */
 int dem_edit_make(struct dem *, struct dem_edit *, int status);
-
-#endif

@@ -3,13 +3,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RUN_EFFECT_NUMBERS_H
-#define DEM_RUN_EFFECT_NUMBERS_H
+#pragma once
 
 #include "laws/interaction_table.h"
 
 /* Settings of an effect as prepared for the first pair of materials, or for bodies; NULL if it is
    not in use. */
 const void *dem_effect_settings(const struct dem_interaction_table *, const struct dem_effect *);
-
-#endif

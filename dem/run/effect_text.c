@@ -114,6 +114,7 @@ unsigned dem_effect_traits(const char *name)
            (effect->needs & DEM_NEEDS_ACCELERATION ? DEM_TRAIT_FLUID_ACCELERATION : 0U) |
            (effect->needs & DEM_NEEDS_STRESS ? DEM_TRAIT_FLUID_STRESS : 0U) |
            (effect->needs & DEM_NEEDS_TURBULENCE ? DEM_TRAIT_TURBULENCE : 0U) |
+           (effect->needs & DEM_NEEDS_INTERFACE ? DEM_TRAIT_INTERFACE : 0U) |
            (effect->needs & DEM_NEEDS_FLUID ? DEM_TRAIT_FLUID : 0U) |
            (effect->needs & DEM_NEEDS_VISCOSITY ? DEM_TRAIT_VISCOSITY : 0U);
 }

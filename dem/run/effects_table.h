@@ -10,12 +10,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RUN_EFFECTS_TABLE_H
-#define DEM_RUN_EFFECTS_TABLE_H
+#pragma once
 
 /* Enter the effects (names, separated by spaces) of a run that begins at this time [s] into
    FOLDER/effects.csv. Rows of an earlier run from then on are removed, and a row that repeats the
    effects of the row above is left out. By one rank. */
 int dem_effects_table_begin(const char *folder, double time, const char *effects);
-
-#endif

@@ -13,6 +13,7 @@
 #include "laws/fluid/viscosity.h"
 #include "particles/scalars.h"
 #include "records/totals.h"
+#include <string.h>
 
 int dem_needs_fluid(const struct dem *d)
 {
@@ -37,6 +38,8 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .acceleration = dem_column(p, DEM_COLUMN_FLUID_ACCELERATION),
                             .vorticity = dem_column(p, DEM_COLUMN_VORTICITY),
                             .stress = dem_column(p, DEM_COLUMN_STRESS),
+                            .tension = dem_column(p, DEM_COLUMN_TENSION),
+                            .interface_distance = dem_column(p, DEM_COLUMN_INTERFACE_DISTANCE),
                             .mean_diameter = dem_column(p, DEM_COLUMN_MEAN_DIAMETER),
                             .turbulence = dem_column(p, DEM_COLUMN_TURBULENCE),
                             .other_impulse = dem_column(p, DEM_COLUMN_OTHER_IMPULSE),
@@ -189,6 +192,43 @@ int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, 
         }
     }
     return DEM_OK;
+}
+
+void dem_fluid_interface_force(const struct dem *d, double *force)
+{
+    const struct dem_particles *const p = &d->state.particles;
+    const struct dem_effect_list *const bodies = &d->state.interaction_table.bodies;
+    const double *const tension = dem_column(p, DEM_COLUMN_TENSION),
+                 *const distance = dem_column(p, DEM_COLUMN_INTERFACE_DISTANCE);
+
+    for (size_t first = 0; first < p->n; first += DEM_BATCH_ROWS)
+    {
+        const int rows = p->n - first < DEM_BATCH_ROWS ? (int)(p->n - first) : DEM_BATCH_ROWS;
+        struct dem_body_batch b = {.n = DEM_BATCH_ROWS};
+
+        for (int c = 0; c < rows; c++)
+        {
+            const size_t i = first + (size_t)c;
+
+            b.radius[c] = p->record[i].radius;
+            b.tension_x[c] = tension[3*i];
+            b.tension_y[c] = tension[3*i + 1];
+            b.tension_z[c] = tension[3*i + 2];
+            b.interface_distance[c] = distance[i];
+        }
+        for (int k = 0; k < bodies->entries; k++)
+        {
+            if (bodies->entry[k].effect->needs & DEM_NEEDS_INTERFACE)
+            {
+                bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &b);
+            }
+        }
+        for (int c = 0; c < rows; c++)
+        {
+            memcpy(force + 3*(first + (size_t)c), (double[3]){b.fx[c], b.fy[c], b.fz[c]},
+                   3*sizeof *force);
+        }
+    }
 }
 
 double dem_fluid_relaxation(const struct dem *d)

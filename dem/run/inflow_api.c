@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include <fenv.h>
-#include <stdio.h>
 #include <string.h>
 
 int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *triangles,

@@ -11,7 +11,6 @@
 #include "records/totals.h"
 #include "particles/scalars.h"
 #include "ranks/collect.h"
-#include <stdio.h>
 #include <string.h>
 
 int dem_scalar_count(const struct dem *d)

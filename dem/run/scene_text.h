@@ -3,12 +3,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RUN_SCENE_TEXT_H
-#define DEM_RUN_SCENE_TEXT_H
+#pragma once
 
 #include "case/internal.h"
 
 /* Append the paragraph of streams and outlets; nothing without any. */
 void dem_flows_text_add(struct dem_text *, const struct dem *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_RUN_STAGE_TESTS_H
-#define DEM_RUN_STAGE_TESTS_H
+#pragma once
 
 struct dem;
 
@@ -13,5 +12,3 @@ int dem_stages_advance(struct dem *, double duration, int (*window)(struct dem *
 
 /* The state has gone back to a backup: so do the stages. */
 void dem_stages_rewind(struct dem *);
-
-#endif

@@ -6,7 +6,6 @@
 #include "dem_query.h"
 #include "dem_tables.h"
 #include "core/error.h"
-#include "core/memory.h"
 #include "core/text.h"
 #include "core/vec.h"
 #include <math.h>

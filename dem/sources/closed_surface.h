@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_CLOSED_SURFACE_H
-#define DEM_SOURCES_CLOSED_SURFACE_H
+#pragma once
 
 #include "walls/walls.h"
 #include <stddef.h>
@@ -43,5 +42,3 @@ void dem_closed_surface_inertia(const struct dem_closed_surface *, double centre
                                 double inertia[3][3]);
 
 int dem_closed_surface_contains(const struct dem_closed_surface *, const double x[3]);
-
-#endif

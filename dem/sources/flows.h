@@ -32,8 +32,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_FLOWS_H
-#define DEM_SOURCES_FLOWS_H
+#pragma once
 
 #include "records/snapshot.h"
 #include "sources/stream.h"
@@ -169,5 +168,3 @@ int dem_flows_sum_departures(struct dem_state *);
    dropped. */
 void dem_flows_backup(struct dem_flows *);
 void dem_flows_restore(struct dem_flows *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INLET_GRID_H
-#define DEM_SOURCES_INLET_GRID_H
+#pragma once
 
 #include "ranks/dem_state.h"
 #include "sources/inlet_walls.h"
@@ -48,5 +47,3 @@ int dem_inlet_grid_insert(struct dem_inlet_grid *, const double x[3], double rad
 int dem_inlet_grid_is_clear(const struct dem_inlet_grid *, const double x[3], double radius);
 
 void dem_inlet_grid_free(struct dem_inlet_grid *);
-
-#endif

@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INLET_SHAPE_H
-#define DEM_SOURCES_INLET_SHAPE_H
+#pragma once
 
 #include "sources/insertion_shape.h"
 
@@ -67,5 +66,3 @@ int dem_inlet_shape_draw(const struct dem_inlet_shape *, double radius, const do
 void dem_inlet_shape_inward(const struct dem_inlet_shape *, size_t triangle, double inward[3]);
 
 double dem_inlet_shape_area(const struct dem_inlet_shape *);    /* m2  of a face; 0 of a region */
-
-#endif

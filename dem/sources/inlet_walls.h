@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INLET_WALLS_H
-#define DEM_SOURCES_INLET_WALLS_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -21,5 +20,3 @@ struct dem_inlet_walls
 int dem_inlet_walls_gather(struct dem_inlet_walls *, struct dem_state *, int status,
                            double box[2][3], double reach);
 void dem_inlet_walls_free(struct dem_inlet_walls *);
-
-#endif

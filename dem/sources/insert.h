@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INSERT_H
-#define DEM_SOURCES_INSERT_H
+#pragma once
 
 #include "particles/clump_shape.h"
 #include "particles/initial_particles.h"
@@ -65,5 +64,3 @@ int dem_insert_check_domain(const struct dem_insertion *, const struct dem_domai
 int dem_insert_place(struct dem_initial_particles *, struct dem_insertion *,
                      const struct dem_interaction_table *, const struct dem_walls *,
                      const struct dem_decomposition *);
-
-#endif

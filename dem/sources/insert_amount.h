@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INSERT_AMOUNT_H
-#define DEM_SOURCES_INSERT_AMOUNT_H
+#pragma once
 
 #include "sources/insert_group.h"
 #include "sources/size_distribution.h"
@@ -28,5 +27,3 @@ int dem_amount_read(struct dem_amount *, const struct dem_insert_group *,
    count. */
 int dem_amount_draw(struct dem_insert_group *, const struct dem_amount *,
                     const struct dem_size_distribution *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INSERT_CLUMP_H
-#define DEM_SOURCES_INSERT_CLUMP_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "particles/clump.h"
@@ -51,5 +50,3 @@ static inline void dem_clump_source_limit(const struct dem_clump_source *s, doub
         *least = *least > 0.0 && *least < s->shape->step_volume ? *least : s->shape->step_volume;
     }
 }
-
-#endif

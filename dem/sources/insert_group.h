@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INSERT_GROUP_H
-#define DEM_SOURCES_INSERT_GROUP_H
+#pragma once
 
 #include "sources/insert.h"
 #include "sources/insert_clump.h"
@@ -75,5 +74,3 @@ static inline double dem_insert_group_diameter(const struct dem_insert_group *b,
 int dem_insert_group_place(struct dem_initial_particles *, const struct dem_insert_group *,
                            const struct dem_interaction_table *, const struct dem_domain *,
                            const struct dem_decomposition *);
-
-#endif

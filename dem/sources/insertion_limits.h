@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INSERTION_LIMITS_H
-#define DEM_SOURCES_INSERTION_LIMITS_H
+#pragma once
 
 #include "sources/closed_surface.h"
 #include "input/dictionary.h"
@@ -57,5 +56,3 @@ void dem_insertion_limits_confine(struct dem_insertion_limits *, double radius,
                                   const double from[3], double x[3]);
 
 void dem_insertion_regions_free(struct dem_insertion_regions *);
-
-#endif

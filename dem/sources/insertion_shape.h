@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_INSERTION_SHAPE_H
-#define DEM_SOURCES_INSERTION_SHAPE_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "particles/domain.h"
@@ -81,5 +80,3 @@ void dem_insertion_shape_sides(struct dem_insertion_shape *);
 /* Move a centre to the nearest position at which a sphere of this radius lies inside the shape, or
    inside the image of the shape nearest to the centre. */
 void dem_insertion_shape_confine(const struct dem_insertion_shape *, double radius, double x[3]);
-
-#endif

@@ -13,8 +13,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_PACKING_H
-#define DEM_SOURCES_PACKING_H
+#pragma once
 
 #include "particles/initial_particles.h"
 #include "sources/insertion_limits.h"
@@ -87,5 +86,3 @@ int dem_packing_place(const struct dem_packing *, struct dem_packing_spheres *, 
    the pair list. */
 int dem_packing_relax(const struct dem_packing *, struct dem_packing_spheres *,
                       double mean_diameter);
-
-#endif

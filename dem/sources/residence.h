@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_RESIDENCE_H
-#define DEM_SOURCES_RESIDENCE_H
+#pragma once
 
 #include "dem_types.h"
 
@@ -37,5 +36,3 @@ void dem_residence_restore(struct dem_flows *);
 
 /* Lines with @ of the text of the scene in a snapshot. */
 void dem_residence_describe(const struct dem_flows *, struct dem_text *);
-
-#endif

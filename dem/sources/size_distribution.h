@@ -18,8 +18,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_SIZE_DISTRIBUTION_H
-#define DEM_SOURCES_SIZE_DISTRIBUTION_H
+#pragma once
 
 #include "input/dictionary.h"
 
@@ -45,5 +44,3 @@ double dem_size_distribution_mean_volume(const struct dem_size_distribution *);
 /* The diameter [m] of the particle with this number. */
 double dem_size_distribution_draw(const struct dem_size_distribution *, uint64_t seed,
                                   uint64_t number);
-
-#endif

@@ -10,7 +10,6 @@
 #include "core/vec.h"
 #include "particles/initial_particles.h"
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum

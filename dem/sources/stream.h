@@ -22,8 +22,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_SOURCES_STREAM_H
-#define DEM_SOURCES_STREAM_H
+#pragma once
 
 #include "sources/inlet_shape.h"
 #include "sources/insert_clump.h"
@@ -155,5 +154,3 @@ int dem_streams_ask_residence(const struct dem_streams *);
 
 /* 1 when any outlet is a region, which a fast particle may pass between two checks, or a plane counts. */
 int dem_streams_have_regions(const struct dem_streams *);
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_ATTACHED_STORES_H
-#define DEM_STEP_ATTACHED_STORES_H
+#pragma once
 
 #include "records/bonds.h"
 #include "records/energy_balance.h"
@@ -53,5 +52,3 @@ static inline void dem_attached_stores_free(struct dem_attached_stores *a)
     dem_wall_statistics_free(&a->wall_statistics);
     dem_energy_balance_free(&a->energy_balance);
 }
-
-#endif

@@ -29,10 +29,12 @@ static const struct
     {DEM_COLUMN_FLUID_ACCELERATION, offsetof(struct dem_body_batch, ax)},
     {DEM_COLUMN_VORTICITY, offsetof(struct dem_body_batch, ox)},
     {DEM_COLUMN_STRESS, offsetof(struct dem_body_batch, sx)},
+    {DEM_COLUMN_TENSION, offsetof(struct dem_body_batch, tension_x)},
 }, scalars[] =
 {
     {DEM_COLUMN_VOID_FRACTION, offsetof(struct dem_body_batch, void_fraction)},
     {DEM_COLUMN_FLUID_DENSITY, offsetof(struct dem_body_batch, density)},
+    {DEM_COLUMN_INTERFACE_DISTANCE, offsetof(struct dem_body_batch, interface_distance)},
     {DEM_COLUMN_MEAN_DIAMETER, offsetof(struct dem_body_batch, mean_diameter)},
     {DEM_COLUMN_ADDED_MASS, offsetof(struct dem_body_batch, added_mass)},
 };

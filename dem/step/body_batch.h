@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_BODY_BATCH_H
-#define DEM_STEP_BODY_BATCH_H
+#pragma once
 
 #include "laws/batch.h"
 #include "particles/particles.h"
@@ -113,5 +112,3 @@ void dem_body_batch_scatter_and_drift(const struct dem_body_workspace *, struct 
    that are passed to the fluid. */
 void dem_body_batch_sum_drag(const struct dem_body_workspace *, struct dem_particles *,
                              size_t first, int rows, double h);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_BODY_SCALARS_H
-#define DEM_STEP_BODY_SCALARS_H
+#pragma once
 
 #include "core/sum.h"
 #include "contacts/contacts.h"
@@ -48,5 +47,3 @@ void dem_body_scalars_select(struct dem_body_scalars *, struct dem_body_batch *,
 /* Integrate over the step, but for the spheres of clumps. Returns the number of values that are out of their range. */
 int dem_body_scalars_integrate(const struct dem_body_scalars *, const struct dem_scalar_step *,
                                struct dem_particles *, size_t first, int rows);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_BODY_WINDOW_H
-#define DEM_STEP_BODY_WINDOW_H
+#pragma once
 
 #include "particles/domain.h"
 #include "laws/interaction_table.h"
@@ -21,5 +20,3 @@ void dem_bodies_window_constants(struct dem_particles *, const struct dem_effect
 /* End a coupling window of length `window` [s]: compute the response R of each particle from its
    drag impulse (see body_window.c). */
 void dem_bodies_end_window(struct dem_particles *, const struct dem_domain *, double window);
-
-#endif

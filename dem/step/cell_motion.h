@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CELL_MOTION_H
-#define DEM_STEP_CELL_MOTION_H
+#pragma once
 
 #include "contacts/pairs.h"
 #include "laws/batch.h"
@@ -42,5 +41,3 @@ int dem_cell_control(struct dem_state *);
 /* Keep lengths, rates and strain of a cell with the backup of a run, and take them back. */
 void dem_cell_backup(struct dem_state *);
 void dem_cell_restore(struct dem_state *);
-
-#endif

@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CLUMP_APPLIED_H
-#define DEM_STEP_CLUMP_APPLIED_H
+#pragma once
 
 #include "particles/applied_forces.h"
 #include "particles/clump.h"
@@ -25,5 +24,3 @@ void dem_clump_applied_add(struct dem_clumps *, const struct dem_particles *, co
 /* After the kick over h [s]: their work. */
 void dem_clump_applied_work(const struct dem_clumps *, const struct dem_particles *, struct dem_energy_balance *,
                             double h);
-
-#endif

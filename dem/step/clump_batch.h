@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CLUMP_BATCH_H
-#define DEM_STEP_CLUMP_BATCH_H
+#pragma once
 
 #include "particles/clump_flow.h"
 #include "ranks/dem_state.h"
@@ -31,5 +30,3 @@ int dem_index_clumps(struct dem_state *);
    state->clumps in both cases: after a backup, call dem_clumps_store for the backup, then dem_clumps_load for the
    state. Returns the number of temperatures that are out of their range. */
 int dem_kick_clumps(struct dem_state *, struct dem_particles *, const struct dem_body_sweep *);
-
-#endif

@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CLUMP_ENERGY_H
-#define DEM_STEP_CLUMP_ENERGY_H
+#pragma once
 
 #include "particles/clump_flow.h"
 #include "records/energy_balance.h"
@@ -32,5 +31,3 @@ void dem_clump_energy_take(const struct dem_clump_flow *, const struct dem_energ
 void dem_clump_energy_before(const struct dem_clumps *, const struct dem_particles *);
 void dem_clump_energy_after(struct dem_energy_balance *, const struct dem_effect_list *bodies,
                             const struct dem_clumps *, const struct dem_particles *, double h, double window);
-
-#endif

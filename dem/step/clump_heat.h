@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CLUMP_HEAT_H
-#define DEM_STEP_CLUMP_HEAT_H
+#pragma once
 
 #include "particles/clump_flow.h"
 #include "step/body_scalars.h"
@@ -47,5 +46,3 @@ int dem_clump_heat_integrate(const struct dem_clumps *, const struct dem_scalar_
    share of the body's response. */
 void dem_clump_heat_end_window(const struct dem_clumps *, const struct dem_interaction_table *,
                                struct dem_particles *);
-
-#endif

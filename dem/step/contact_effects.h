@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CONTACT_EFFECTS_H
-#define DEM_STEP_CONTACT_EFFECTS_H
+#pragma once
 
 #include "contacts/contact_batch.h"
 #include "ranks/dem_state.h"
@@ -20,5 +19,3 @@ void dem_contact_effects_apply(struct dem_contact_workspace *, const struct dem_
                                const struct dem_contacts *, uint32_t row);
 void dem_contact_effects_apply_with_energy(struct dem_state *, struct dem_contact_workspace *,
                                            const struct dem_effect_list *, uint32_t row, int rows);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_CONTACT_SCALARS_H
-#define DEM_STEP_CONTACT_SCALARS_H
+#pragma once
 
 #include "contacts/contact_batch.h"
 #include "ranks/dem_state.h"
@@ -29,5 +28,3 @@ void dem_contact_scalars_select(struct dem_contact_workspace *, const struct dem
 /* Store the rates of all rows, for the sum by particle. */
 void dem_contact_scalars_store(const struct dem_contact_scalars *, struct dem_contacts *,
                                uint32_t row, int rows);
-
-#endif

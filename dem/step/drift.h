@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_DRIFT_H
-#define DEM_STEP_DRIFT_H
+#pragma once
 
 #include "core/math.h"
 #include "particles/particles.h"
@@ -49,5 +48,3 @@ void dem_drift_particles(struct dem_particle *, size_t n, double dt, const doubl
 
 /* The largest speed [m/s]; infinite if a speed was not a number. */
 double dem_drift_max_speed(const struct dem_drift_speeds *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_EDDIES_H
-#define DEM_STEP_EDDIES_H
+#pragma once
 
 #include "laws/interaction_table.h"
 #include "particles/particles.h"
@@ -16,5 +15,3 @@ void dem_eddies_advance(struct dem_particles *, const struct dem_effect_list *bo
 
 /* Fluctuation of the fluid velocity at particle i [m/s]; 0 without eddies. */
 void dem_eddies_velocity(const struct dem_particles *, size_t i, double u[3]);
-
-#endif

@@ -7,12 +7,9 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_FALL_CHECK_H
-#define DEM_STEP_FALL_CHECK_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
 /* Collective. DEM_OK, or DEM_ERROR_LOST. */
 int dem_fall_check(const struct dem_state *);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_FILL_BATCH_H
-#define DEM_STEP_FILL_BATCH_H
+#pragma once
 
 #include "contacts/contact_batch.h"
 #include "ranks/dem_state.h"
@@ -14,5 +13,3 @@
    relative motion. Lanes past the last row repeat it. */
 void dem_contact_batch_fill(struct dem_contact_workspace *, const struct dem_state *,
                             const struct dem_effect_list *, uint32_t row, int rows);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_GATHER_PARTNERS_H
-#define DEM_STEP_GATHER_PARTNERS_H
+#pragma once
 
 #include "laws/scalar.h"
 #include "contacts/contact_batch.h"
@@ -33,5 +32,3 @@ static inline const double *dem_batch_column_values(const struct dem_particles *
 {
     return particles->column[particles->batch.at[k].column].data;
 }
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_LIMITS_H
-#define DEM_STEP_LIMITS_H
+#pragma once
 
 #include "ranks/dem_state.h"
 #include "contacts/contact_batch.h"
@@ -30,5 +29,3 @@ double dem_limits_max_speed(const struct dem_state *);
 
 /* Largest displacement of a wall in a step [m], likewise. */
 double dem_limits_max_wall_displacement(const struct dem_state *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_NEIGHBOR_REBUILD_H
-#define DEM_STEP_NEIGHBOR_REBUILD_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -25,5 +24,3 @@ int dem_neighbor_removal_is_due(const struct dem_state *);
 
 /* Collective. `removes`: 1 on all ranks when any particle has to be removed now. */
 int dem_neighbor_check_removals(struct dem_state *, int *removes);
-
-#endif

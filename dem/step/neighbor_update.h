@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_NEIGHBOR_UPDATE_H
-#define DEM_STEP_NEIGHBOR_UPDATE_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -23,5 +22,3 @@ int dem_neighbor_update(struct dem_state *, const double *moved, int n, int obse
 /* Collective, after the drift. `changes`: 1 when particles enter or leave in this step; passages through planes
    are counted, and arrivals have positions. */
 int dem_neighbor_check_particles(struct dem_state *, int *changes);
-
-#endif

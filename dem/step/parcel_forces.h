@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_PARCEL_FORCES_H
-#define DEM_STEP_PARCEL_FORCES_H
+#pragma once
 
 #include "laws/interaction_table.h"
 #include "step/body_scalars.h"
@@ -17,5 +16,3 @@ void dem_parcels_prepare(const struct dem_effect_entry *, struct dem_body_batch 
    (dem_body_scalars_select). */
 void dem_parcels_apply(const struct dem_effect_entry *, struct dem_body_batch *,
                        const double ratio[DEM_BATCH_ROWS]);
-
-#endif

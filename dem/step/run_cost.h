@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_RUN_COST_H
-#define DEM_STEP_RUN_COST_H
+#pragma once
 
 #include "dem_numbers.h"
 #include "ranks/dem_state.h"
@@ -14,5 +13,3 @@
    not changed. dt [s]: time step. Returns DEM_OK or an error. */
 int dem_run_cost_measure(const struct dem_state *, const struct dem_inventory *, double dt,
                          struct dem_run_cost *);
-
-#endif

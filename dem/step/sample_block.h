@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_SAMPLE_BLOCK_H
-#define DEM_STEP_SAMPLE_BLOCK_H
+#pragma once
 
 #include "step/attached_stores.h"
 #include "ranks/dem_state.h"
@@ -27,5 +26,3 @@ struct dem_sample
 int dem_sample_block_make(struct dem_sample *, const struct dem_state *scene,
                           const struct dem_inventory *, int64_t max);
 void dem_sample_block_free(struct dem_sample *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_STEP_H
-#define DEM_STEP_STEP_H
+#pragma once
 
 #include "ranks/dem_state.h"
 #include "step/sweep_bodies.h"
@@ -20,5 +19,3 @@ struct dem_body_sweep dem_step_sweep(const struct dem_state *, double kick, doub
 
 /* Ask the program for its forces on the particles of this rank. */
 int dem_step_ask_for_forces(struct dem_state *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_STEP_BACKUP_H
-#define DEM_STEP_STEP_BACKUP_H
+#pragma once
 
 #include "ranks/dem_state.h"
 #include "step/sweep_bodies.h"
@@ -17,5 +16,3 @@ int dem_step_backup(struct dem_state *);
 /* Collective, in a step before its kick, with the status of this rank. Velocities are half a kick
    behind: the copy gets this half kick, the run itself does not. NULL: none. */
 int dem_step_backup_ahead(struct dem_state *, int status, const struct dem_body_sweep *half_kick);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_STEP_WINDOW_H
-#define DEM_STEP_STEP_WINDOW_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -15,5 +14,3 @@
    bits. Another window started instead takes the velocities as they are, half a step ahead. */
 int dem_step_window(struct dem_state *, double dt, int64_t steps);
 int dem_step_continue(struct dem_state *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_STEPS_ON_DEVICE_H
-#define DEM_STEP_STEPS_ON_DEVICE_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
@@ -13,5 +12,3 @@
    makes this step. Otherwise time and steps of the state then belong to the last step made, and the
    particles have been drifted once more, for the next step. */
 int dem_steps_on_device(struct dem_state *, int64_t first, int64_t *made);
-
-#endif

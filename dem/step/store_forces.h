@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_STORE_FORCES_H
-#define DEM_STEP_STORE_FORCES_H
+#pragma once
 
 #include "laws/batch.h"
 #include "contacts/contacts.h"
@@ -35,5 +34,3 @@ size_t dem_store_deferred(struct dem_contact_forces *, size_t copied, uint32_t e
    where they are asked for. n: owned particles. */
 void dem_store_observed(struct dem_contacts *, const struct dem_batch_forces *, uint32_t row,
                         int rows, size_t n);
-
-#endif

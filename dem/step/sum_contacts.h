@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_SUM_CONTACTS_H
-#define DEM_STEP_SUM_CONTACTS_H
+#pragma once
 
 #include "contacts/contacts.h"
 #include "particles/particles.h"
@@ -32,5 +31,3 @@ void dem_sum_store(struct dem_particles *, const struct dem_sum_slice *);
 /* Add the energies lost [J] and the bonds broken in the last sweep to the columns lost and broken
    of the particles. */
 void dem_sum_bond_energies(struct dem_particles *, const struct dem_contacts *);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_SWEEP_BODIES_H
-#define DEM_STEP_SWEEP_BODIES_H
+#pragma once
 
 #include "particles/applied_forces.h"
 #include "contacts/contacts.h"
@@ -88,5 +87,3 @@ void dem_bodies_work_until(struct dem_body_pass *, size_t end);
 
 /* In a pass that only sums: the rest of the sums; then the pass begins again with the kick. */
 void dem_bodies_finish_sums(struct dem_body_pass *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_SWEEP_CONTACTS_H
-#define DEM_STEP_SWEEP_CONTACTS_H
+#pragma once
 
 #include "ranks/dem_state.h"
 #include "step/sweep_bodies.h"
@@ -21,5 +20,3 @@ int dem_sweep_contacts_and_bodies(struct dem_state *, double dt, const double ti
 
 /* The same, with the sums of all particles in the columns force and torque, and without a kick. */
 int dem_sweep_contacts_and_sum(struct dem_state *, double dt, const double time[2]);
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_WALL_BODIES_H
-#define DEM_STEP_WALL_BODIES_H
+#pragma once
 
 #include "contacts/contact_batch.h"
 #include "ranks/dem_state.h"
@@ -33,5 +32,3 @@ void dem_wall_bodies_kick(struct dem_state *, double kick);
 /* Copy the state for the backup, with half a kick; put it back. */
 void dem_wall_bodies_backup(struct dem_state *, double kick);
 void dem_wall_bodies_restore(struct dem_walls *);
-
-#endif

@@ -28,13 +28,10 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_STEP_WALL_SPRINGS_H
-#define DEM_STEP_WALL_SPRINGS_H
+#pragma once
 
 #include "ranks/dem_state.h"
 
 /* Redistribute the history of wall contacts; after the contact points are known, before the effects
    act. */
 void dem_wall_springs_redistribute(struct dem_state *);
-
-#endif

@@ -17,8 +17,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_COMPOUND_MOTION_H
-#define DEM_WALLS_COMPOUND_MOTION_H
+#pragma once
 
 #include "input/time_table.h"
 #include "walls/wall_body.h"
@@ -78,5 +77,3 @@ struct dem_motion_hash
 };
 
 struct dem_motion_hash dem_compound_motion_hash(const struct dem_compound_motion *);
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_FACET_H
-#define DEM_WALLS_FACET_H
+#pragma once
 
 #include "core/vec.h"
 
@@ -87,5 +86,3 @@ DEM_MATH double dem_facet_touch(const struct dem_facet *r, const double from[3],
     }
     return side*h;
 }
-
-#endif

@@ -13,8 +13,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_FACET_CONTACTS_H
-#define DEM_WALLS_FACET_CONTACTS_H
+#pragma once
 
 #include "core/math.h"
 #include "core/vec.h"
@@ -216,5 +215,3 @@ static inline void dem_contact_drop_duplicates(const struct dem_facet_contacts *
         touch[a].distance = touch[a].drop ? DBL_MAX : touch[a].distance;
     }
 }
-
-#endif

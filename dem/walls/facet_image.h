@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_FACET_IMAGE_H
-#define DEM_WALLS_FACET_IMAGE_H
+#pragma once
 
 #include "particles/periodic_image.h"
 
@@ -59,5 +58,3 @@ static inline uint32_t dem_facet_image(uint8_t distinct, const int turns[3], con
     }
     return image;
 }
-
-#endif

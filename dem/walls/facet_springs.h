@@ -12,8 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_FACET_SPRINGS_H
-#define DEM_WALLS_FACET_SPRINGS_H
+#pragma once
 
 #include "core/vec.h"
 #include "walls/facet_touch.h"
@@ -193,5 +192,3 @@ static inline void dem_springs_redistribute(struct dem_facet_springs *s)
         }
     }
 }
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_FACET_SURFACE_H
-#define DEM_WALLS_FACET_SURFACE_H
+#pragma once
 
 #include "walls/facet.h"
 #include "walls/pose.h"
@@ -98,5 +97,3 @@ DEM_MATH void dem_facet_normal_half_step(const struct dem_facet *r, const struct
         half_step[k] = size > 0.0 ? half_step[k]/size : normal[k];
     }
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_FACET_TOUCH_H
-#define DEM_WALLS_FACET_TOUCH_H
+#pragma once
 
 #include "walls/facet.h"
 
@@ -45,5 +44,3 @@ DEM_MATH void dem_facet_touch_triangles(const struct dem_facet *r, const double 
     }
     t->distance = inside ? distance : t->distance;
 }
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_POSE_H
-#define DEM_WALLS_POSE_H
+#pragma once
 
 #include "core/vec.h"
 
@@ -86,5 +85,3 @@ DEM_MATH void dem_pose_to_frame(const struct dem_pose *p, const double in[3], do
     dem_vec_minus(in, p->shift, d);
     dem_pose_direction_to_frame(p, d, out);
 }
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_SPRING_KINDS_H
-#define DEM_WALLS_SPRING_KINDS_H
+#pragma once
 
 struct dem_interaction_table;
 
@@ -21,5 +20,3 @@ enum dem_spring_kind
 
 /* The kind of each history column; DEM_HISTORY_COLUMNS numbers. */
 void dem_spring_kinds(const struct dem_interaction_table *, enum dem_spring_kind *);
-
-#endif

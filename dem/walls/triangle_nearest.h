@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_TRIANGLE_NEAREST_H
-#define DEM_WALLS_TRIANGLE_NEAREST_H
+#pragma once
 
 #include "core/vec.h"
 
@@ -71,5 +70,3 @@ static inline double dem_corners_nearest(const double corner[3][3], const double
     }
     return best;
 }
-
-#endif

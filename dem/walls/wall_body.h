@@ -33,8 +33,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_BODY_H
-#define DEM_WALLS_WALL_BODY_H
+#pragma once
 
 #include "core/binned_sum.h"
 #include "input/time_table.h"
@@ -154,5 +153,3 @@ void dem_wall_body_kick(struct dem_wall_body *, const struct dem_wall_body_kick 
 void dem_wall_body_drift(struct dem_wall_body *, double dt, struct dem_wall_body_work *);
 
 double dem_wall_body_kinetic(const struct dem_wall_body *);    /* J */
-
-#endif

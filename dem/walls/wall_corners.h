@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_CORNERS_H
-#define DEM_WALLS_WALL_CORNERS_H
+#pragma once
 
 #include "walls/walls.h"
 
@@ -20,5 +19,3 @@ int dem_walls_compare_corners(const void *, const void *);
 
 /* vertex: one for each corner, 3 a triangle. tolerance [m]: corners that near are one. */
 int dem_walls_weld_corners(const struct dem_walls *, double tolerance, struct dem_vertex *vertex);
-
-#endif

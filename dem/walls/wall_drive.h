@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_DRIVE_H
-#define DEM_WALLS_WALL_DRIVE_H
+#pragma once
 
 #include "walls/facet.h"
 #include "walls/pose.h"
@@ -91,5 +90,3 @@ DEM_MATH void dem_wall_drive_add(const struct dem_wall_drive *of, const struct d
         wall_spin[k] += spin[k];
     }
 }
-
-#endif

@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_EXTENT_H
-#define DEM_WALLS_WALL_EXTENT_H
+#pragma once
 
 #include "walls/walls.h"
 
@@ -16,5 +15,3 @@ void dem_motion_travel(const struct dem_motion *, int axis, double range[2]);
 /* The extent [m] along an axis that a point of a reference frame, or a triangle reaches; frame -1: at rest. */
 void dem_walls_swept_point(const struct dem_walls *, int frame, const double x[3], int axis, double extent[2]);
 void dem_walls_swept_extent(const struct dem_walls *, const struct dem_triangle *, int axis, double extent[2]);
-
-#endif

@@ -22,8 +22,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_MOTION_H
-#define DEM_WALLS_WALL_MOTION_H
+#pragma once
 
 #include "walls/pose.h"
 #include <stdint.h>
@@ -84,5 +83,3 @@ void dem_motion_displacement(const struct dem_motion *, double time, double dt,
 /* The pose that applies b first, then a; the inverse of a pose. The results must be other structs. */
 void dem_pose_product(const struct dem_pose *a, const struct dem_pose *b, struct dem_pose *product);
 void dem_pose_inverse(const struct dem_pose *, struct dem_pose *inverse);
-
-#endif

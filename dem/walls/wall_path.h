@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_PATH_H
-#define DEM_WALLS_WALL_PATH_H
+#pragma once
 
 #include "particles/domain.h"
 #include "walls/wall_search.h"
@@ -20,5 +19,3 @@
 int dem_wall_path_passes(struct dem_wall_search *, const struct dem_walls *,
                          const struct dem_domain *, double radius, const double from[3],
                          const double to[3], int *passes);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_PERIODS_H
-#define DEM_WALLS_WALL_PERIODS_H
+#pragma once
 
 #include "particles/domain.h"
 #include "walls/walls.h"
@@ -18,5 +17,3 @@ void dem_domain_make_walls_periodic(const struct dem_domain *, double reach, str
    straight through the face; triangles that rotate about another axis; a surface that is longer than
    the period and does not run straight through it. */
 int dem_domain_check_walls(const struct dem_domain *, const struct dem_walls *, double radius);
-
-#endif

@@ -22,8 +22,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_ROTATION_H
-#define DEM_WALLS_WALL_ROTATION_H
+#pragma once
 
 #include "walls/wall_body.h"
 
@@ -49,5 +48,3 @@ void dem_wall_rotation_spin(const struct dem_wall_body *, double w[3]);    /* 1/
 
 /* The least moment of inertia about which it may rotate [kg m2]. */
 double dem_wall_rotation_least_inertia(const struct dem_wall_rotation *);
-
-#endif

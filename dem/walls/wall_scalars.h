@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_SCALARS_H
-#define DEM_WALLS_WALL_SCALARS_H
+#pragma once
 
 #include "input/dictionary.h"
 #include "laws/interaction_table.h"
@@ -15,5 +14,3 @@
 /* Read the conditions of a wall, for all scalars; none stays insulated. */
 int dem_scalar_wall_read(const struct dem_dict *, const struct dem_interaction_table *,
                          struct dem_wall *);
-
-#endif

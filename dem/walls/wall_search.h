@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_SEARCH_H
-#define DEM_WALLS_WALL_SEARCH_H
+#pragma once
 
 #include "particles/particles.h"
 #include "walls/triangle_nearest.h"
@@ -134,5 +133,3 @@ static inline double dem_triangle_nearest(const struct dem_triangle *t, const do
 {
     return dem_corners_nearest(t->corner, x, nearest);
 }
-
-#endif

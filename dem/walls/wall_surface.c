@@ -6,7 +6,6 @@
 #include "walls/wall_surface.h"
 #include "core/vec.h"
 #include "walls/facet_surface.h"
-#include <math.h>
 #include <string.h>
 
 static const struct dem_wall_displacement rest;

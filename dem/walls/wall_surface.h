@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_SURFACE_H
-#define DEM_WALLS_WALL_SURFACE_H
+#pragma once
 
 #include "particles/particles.h"
 #include "walls/wall_touch.h"
@@ -45,5 +44,3 @@ void dem_wall_surface_add_mesh_motion(const struct dem_walls *, const struct dem
 /* All properties of the wall at the contact of particle i, but for the motion of a mesh. */
 void dem_wall_surface_at(const struct dem_walls *, int facet, const struct dem_particle *i,
                          const struct dem_wall_touch *, double dt, struct dem_wall_surface *);
-
-#endif

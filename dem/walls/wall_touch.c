@@ -10,8 +10,6 @@
 #include "walls/wall_touch.h"
 #include "core/error.h"
 #include "core/memory.h"
-#include "core/vec.h"
-#include <float.h>
 #include <math.h>
 #include <string.h>
 

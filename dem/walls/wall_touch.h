@@ -26,8 +26,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_TOUCH_H
-#define DEM_WALLS_WALL_TOUCH_H
+#pragma once
 
 #include "walls/facet_touch.h"
 #include "walls/wall_search.h"
@@ -53,5 +52,3 @@ int dem_wall_touches_reserve(struct dem_wall_touches *, const struct dem_wall_se
 /* Compute the contact points of the wall neighbors that have rows, at the present positions. */
 void dem_wall_touches_update(struct dem_wall_touches *, const struct dem_wall_search *,
                              const struct dem_walls *, const struct dem_particles *);
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALL_TRIANGLES_H
-#define DEM_WALLS_WALL_TRIANGLES_H
+#pragma once
 
 #include "walls/walls.h"
 
@@ -23,5 +22,3 @@ void dem_walls_measure(struct dem_walls *);
 
 /* Which frames have walls of triangles, and their boxes. */
 void dem_walls_find_boxes(struct dem_walls *);
-
-#endif

@@ -23,8 +23,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_WALLS_WALLS_H
-#define DEM_WALLS_WALLS_H
+#pragma once
 
 #include "core/name_index.h"
 #include "walls/compound_motion.h"
@@ -396,5 +395,3 @@ void dem_walls_rewind(struct dem_walls *);
    this advance. */
 void dem_walls_surface_motion(const struct dem_walls *, uint32_t triangle, const double x[3],
                               double velocity[3], double spin[3]);
-
-#endif

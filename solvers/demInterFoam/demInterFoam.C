@@ -35,7 +35,10 @@ Description
 
     The mesh may move (dynamicFvMesh) without changes of topology, as in demPimpleFoam.
 
-    Not included: the sets I and III, heat, implicit MULES, contact angles on particles.
+    Surface tension on particles (effect capillaryForce) and its reaction are a part of the
+    tension at the interface (demCapillaryForce.H).
+
+    Not included: the sets I and III, heat, implicit MULES.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
@@ -168,7 +171,10 @@ int main(int argc, char *argv[])
     const label interfaceCo = stepControl.add("maxAlphaCo", "Courant number of the interface");
     const label capillaryCo = stepControl.add
     (
-        "maxCapillaryCo", "step over the longest one that resolves capillary waves"
+        "maxCapillaryCo",
+        cloud.exchange().capillary()
+      ? "step over the longest one that resolves capillary waves and particles at the interface"
+      : "step over the longest one that resolves capillary waves"
     );
     run.begin();
 
@@ -185,7 +191,12 @@ int main(int argc, char *argv[])
         stepControl.set
         (
             capillaryCo,
-            runTime.deltaTValue()/fluids.capillaryStep(),
+            runTime.deltaTValue()
+           /min
+            (
+                fluids.capillaryStep(),
+                cloud.exchange().capillary() ? cloud.exchange().capillary()->longestStep() : GREAT
+            ),
             runTime.controlDict().getOrDefault<scalar>("maxCapillaryCo", 1)
         );
         #include "setParticleDeltaT.H"
@@ -226,10 +237,15 @@ int main(int argc, char *argv[])
             {
                 return vector(-gSum((mesh.V().field()*toCells(force())().primitiveField())()));
             };
-            List<fluidBudget::force> known(3);
+            const demCapillaryForce* onParticles = cloud.exchange().capillary();
+            List<fluidBudget::force> known(onParticles ? 4 : 3);
             known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
             known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
             known[2] = fluidBudget::force("sources", forceOfSources());
+            if (onParticles)
+            {
+                known[3] = fluidBudget::force("particleTension", sumOf(-onParticles->onFaces()));
+            }
             // rho g z over whole cells, without the void fraction: `height` of the particles
             // subtracts the buoyancy
             cloud.budget().table().state

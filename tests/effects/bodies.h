@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_BODIES_H
-#define TESTS_EFFECTS_BODIES_H
+#pragma once
 
 #include "laws/effects.h"
 #include "unit/tap.h"
@@ -47,5 +46,3 @@ static inline double body_drag(const struct dem_effect *law, const void *setting
     dem_effect_apply_to_bodies(law, settings, &b);
     return b.drag[0]/(3.0*3.14159265358979324*1e-3*1e-3);
 }
-
-#endif

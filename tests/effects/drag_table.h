@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_DRAG_TABLE_H
-#define TESTS_EFFECTS_DRAG_TABLE_H
+#pragma once
 
 #include "bodies.h"
 
@@ -120,5 +119,3 @@ static inline void drag_form(const struct dem_effect *law, const void *settings)
     TAP_OK(law->drag != DEM_DRAG_NONE && (law->needs | DEM_NEEDS_FORM) == (DEM_NEEDS_FLUID | DEM_NEEDS_FORM),
            "it is declared as a drag law that needs the fluid");
 }
-
-#endif

@@ -10,8 +10,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_LAW_ROWS_H
-#define TESTS_EFFECTS_LAW_ROWS_H
+#pragma once
 
 #include "laws/effects.h"
 #include "laws/interaction_table.h"
@@ -156,5 +155,3 @@ static inline struct rows_effect *rows_add(struct law_rows *w, const struct dem_
     }
     return l;
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_MOMENTS_H
-#define TESTS_EFFECTS_MOMENTS_H
+#pragma once
 
 #include "law_rows.h"
 
@@ -69,5 +68,3 @@ static inline void moments_common(struct law_rows *w, const struct dem_effect *e
     TAP_OK(effect->stage == DEM_STAGE_MOMENT && (effect->needs & DEM_NEEDS_SPIN),
            "it is declared as a law of moments that needs the spin");
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_RANDOM_ROWS_H
-#define TESTS_EFFECTS_RANDOM_ROWS_H
+#pragma once
 
 #include "core/random.h"
 #include "laws/effects.h"
@@ -216,5 +215,3 @@ static inline void random_settings(const struct dem_effect *e, char *settings)
     printf("Bail out! %s accepts no random settings: %s\n", e->name, dem_error_text());
     exit(1);
 }
-
-#endif

@@ -1,7 +1,7 @@
 /*
  * rows.cl -- kernels that call the row functions of laws.
  *
- * test_device.c includes this text and the headers of the laws, and writes a line CONTACT_LAW or
+ * test_device.c adds the headers of the laws to this text, and a line CONTACT_LAW or
  * BODY_LAW for each row function.
  *
  * A row is its columns in the order of laws/row.h, then history or voidage factors, then scalars.

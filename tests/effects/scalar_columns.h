@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_SCALAR_COLUMNS_H
-#define TESTS_EFFECTS_SCALAR_COLUMNS_H
+#pragma once
 
 #include "core/random.h"
 #include "laws/effect.h"
@@ -76,5 +75,3 @@ static inline void scalar_columns_row(const struct dem_effect *e, int to, int ro
         }
     }
 }
-
-#endif

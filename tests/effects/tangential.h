@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_EFFECTS_TANGENTIAL_H
-#define TESTS_EFFECTS_TANGENTIAL_H
+#pragma once
 
 #include "law_rows.h"
 
@@ -196,5 +195,3 @@ static inline void tangential_claims(struct law_rows *w, const struct dem_effect
     w->pair.exponent = 0.0;
     TAP_OK(dem_effect_prepare(law, l->settings, &w->pair) == DEM_ERROR_INPUT, "%s", dem_error_text());
 }
-
-#endif

@@ -11,14 +11,13 @@
  */
 #include "unit/tap.h"
 
-#if defined(__has_include) && __has_include(<CL/cl.h>)
-
+#include "core/file.h"
+#include "core/memory.h"
+#include "device/opencl_device.h"
+#include "device/program_texts.h"
 #include "laws/batch_row.h"
 #include "laws/effects.h"
-#include "opencl.h"
 #include "random_rows.h"
-
-#include <unistd.h>
 
 enum
 {
@@ -226,6 +225,41 @@ static void bodies_on_host(body_loop *loop, const char *settings, size_t size)
     }
 }
 
+/* ---- the device ------------------------------------------------------------------------------ */
+
+static struct dem_opencl *cl;
+
+/* Opens the first device with doubles. */
+static int open_device(void)
+{
+    struct dem_opencl_info list[DEM_OPENCL_DEVICES];
+    int n, fitting, k = 0;
+
+    DEM_TRY(dem_opencl_list(list, &n));
+    while (k < n - 1 && !list[k].doubles)
+    {
+        k++;
+    }
+    return dem_opencl_open(&cl, list[k].name, 0, &fitting);
+}
+
+/* Rows of `in` through a kernel, to `device`. */
+static int rows_on_device(const char *name, const char *settings, size_t bytes, size_t numbers)
+{
+    static struct dem_opencl_memory m[4];
+    struct dem_opencl_kernel *kernel;
+    const size_t all = ROWS*numbers*sizeof *in;
+
+    DEM_TRY(dem_opencl_kernel(cl, name, &kernel));
+    DEM_TRY(dem_opencl_put(cl, &m[0], all, in));
+    DEM_TRY(dem_opencl_put(cl, &m[1], bytes, settings));
+    DEM_TRY(dem_opencl_put(cl, &m[2], sizeof times, times));
+    DEM_TRY(dem_opencl_reserve(cl, &m[3], all));
+    DEM_TRY(DEM_OPENCL_GIVE(cl, kernel, 0, &m[0], &m[1], &m[2], &m[3]));
+    DEM_TRY(dem_opencl_launch(cl, kernel, ROWS));
+    return dem_opencl_read(cl, &m[3], 0, all, device);
+}
+
 /* Claims about a row function, of a loop over contacts or over bodies. */
 static void compare(const char *law, const char *function, const struct dem_effect *e,
                     contact_loop *contacts, body_loop *bodies)
@@ -250,9 +284,7 @@ static void compare(const char *law, const char *function, const struct dem_effe
         bodies_on_host(bodies, settings, size);
     }
     snprintf(kernel, sizeof kernel, "dem_%s_%s_kernel", law, function);
-    const int runs = opencl_run(kernel, ROWS, 4, (void *[]){in, settings, times, device},
-                                (size_t[]){ROWS*numbers*sizeof *in, BATCHES*size, sizeof times,
-                                           ROWS*numbers*sizeof *device});
+    const int status = rows_on_device(kernel, settings, BATCHES*size, numbers);
 
     for (size_t row = 0; row < ROWS; row++)
     {
@@ -268,8 +300,8 @@ static void compare(const char *law, const char *function, const struct dem_effe
         finite += is_finite;
         act += memcmp(a, in + row*numbers, numbers*sizeof *a) != 0;
     }
-    TAP_OK(runs && differ == 0, "%s, dem_%s_%s: %d of %d rows differ", e->name, law, function,
-           differ, ROWS);
+    TAP_OK(status == DEM_OK && differ == 0, "%s, dem_%s_%s: %d of %d rows differ%s", e->name, law,
+           function, differ, ROWS, status ? dem_error_text() : "");
     /* most extreme numbers are finite in most laws, too */
     TAP_OK(finite > 3*ROWS/4 && act > ROWS/8, "%s: %d rows are finite, the law acts in %d",
            e->name, finite, act);
@@ -277,38 +309,17 @@ static void compare(const char *law, const char *function, const struct dem_effe
 
 /* ---- the program ----------------------------------------------------------------------------- */
 
-static char text[20000];
-
-static void add_line(const char *format, ...)
+/* The header of a law with its row function, or NULL. */
+static const struct dem_device_text *header_of(int k)
 {
-    const size_t at = strlen(text);
-    va_list arguments;
+    char name[100];
 
-    va_start(arguments, format);
-    vsnprintf(text + at, sizeof text - at, format, arguments);
-    va_end(arguments);
+    snprintf(name, sizeof name, "/%s.h", laws[k].name);
+    return dem_program_find_text(name, strlen(name));
 }
 
-/* Finds the header of a law in a folder of dem/laws and includes it; 0 if there is none. */
-static int include_law(const char *name)
-{
-    static const char *const folders[] = {"contact", "bond", "body", "fluid", "heat"};
-
-    for (size_t k = 0; k < sizeof folders/sizeof *folders; k++)
-    {
-        char path[200];
-
-        snprintf(path, sizeof path, "../dem/laws/%s/%s.h", folders[k], name);
-        if (access(path, R_OK) == 0)
-        {
-            add_line("#include \"laws/%s/%s.h\"\n", folders[k], name);
-            return 1;
-        }
-    }
-    return 0;
-}
-
-static void write_law(int k)
+/* Writes the kernels of a law. */
+static void write_law(struct dem_text *text, int k)
 {
     const struct dem_effect *const e = laws[k].effect;
     const char *const name = laws[k].name;
@@ -318,20 +329,20 @@ static void write_law(int k)
     {
         snprintf(settings, sizeof settings, "struct dem_%s", name);
         /* the same layout as here, or the program does not compile */
-        add_line("typedef char %s_size[sizeof(%s) == %zu ? 1 : -1];\n", name, settings, e->size);
+        dem_text_add(text, "typedef char %s_size[sizeof(%s) == %zu ? 1 : -1];\n", name, settings, e->size);
     }
-    add_line("%s_LAW(dem_%s, row, %s)\n", e->apply ? "CONTACT" : "BODY", name, settings);
+    dem_text_add(text, "%s_LAW(dem_%s, row, %s)\n", e->apply ? "CONTACT" : "BODY", name, settings);
     if (e->set_adhesion)
     {
-        add_line("CONTACT_LAW(dem_%s, adhesion_row, %s)\n", name, settings);
+        dem_text_add(text, "CONTACT_LAW(dem_%s, adhesion_row, %s)\n", name, settings);
     }
     if (e->replace_contact)
     {
-        add_line("CONTACT_LAW(dem_%s, replace_row, %s)\n", name, settings);
+        dem_text_add(text, "CONTACT_LAW(dem_%s, replace_row, %s)\n", name, settings);
     }
     if (e->prepare_bodies)
     {
-        add_line("BODY_LAW(dem_%s, prepare_row, %s)\n", name, settings);
+        dem_text_add(text, "BODY_LAW(dem_%s, prepare_row, %s)\n", name, settings);
     }
 }
 
@@ -355,66 +366,64 @@ static void compare_law(int k)
     }
 }
 
-int main(void)
+static int build(void)
 {
-    const char *const why = opencl_open();
-    char options[200];
-    int has_row[LAWS];
+    struct dem_text text = {.text = NULL};
+    struct dem_program_texts texts = {.out = &text};
+    struct dem_device_text rows = {.name = "rows.cl"};
+    char *file = NULL;
+    uint64_t key;
 
-    if (why)
+    DEM_TRY(dem_file_load_text("effects/rows.cl", &file));
+    rows.text = file;
+    dem_text_add(&text, "#define BATCH %d\n#define CONTACT_NUMBERS %d\n#define BODY_NUMBERS %d\n",
+                 DEM_BATCH_ROWS, CONTACT_NUMBERS, BODY_NUMBERS);
+    int status = dem_program_include(&texts, &rows);
+
+    for (int k = 0; k < LAWS && !status; k++)
     {
-        printf("ok 1 - rows on a device # SKIP %s\n1..1\n", why);
-        return 0;
-    }
-    add_line("#include \"rows.cl\"\n");
-    for (int k = 0; k < LAWS; k++)
-    {
-        has_row[k] = include_law(laws[k].name);
         /* a law of eddies has none: they are part of the fluid's velocity */
-        if (!has_row[k] && !laws[k].effect->eddies)
+        if (!header_of(k) && !laws[k].effect->eddies)
         {
             TAP_OK(0, "%s has no header in dem/laws with its row function", laws[k].effect->name);
         }
-    }
-    for (int k = 0; k < LAWS; k++)
-    {
-        if (has_row[k])
+        else if (header_of(k))
         {
-            write_law(k);
+            status = dem_program_include(&texts, header_of(k));
+            write_law(&text, k);
         }
     }
-    snprintf(options, sizeof options,
-             "-I../dem -Ieffects -DBATCH=%d -DCONTACT_NUMBERS=%d -DBODY_NUMBERS=%d", DEM_BATCH_ROWS,
-             CONTACT_NUMBERS, BODY_NUMBERS);
-    if (!TAP_OK(opencl_build(text, options), "the row functions are OpenCL C, for %s", opencl.name))
-    {
-        return tap_done();
-    }
-    fill_contacts();
-    for (int k = 0; k < LAWS; k++)
-    {
-        if (has_row[k] && laws[k].effect->apply)
-        {
-            compare_law(k);
-        }
-    }
-    fill_bodies();
-    for (int k = 0; k < LAWS; k++)
-    {
-        if (has_row[k] && laws[k].effect->apply_to_bodies)
-        {
-            compare_law(k);
-        }
-    }
-    return tap_done();
+    status = status ? status : dem_opencl_build(cl, text.text, &key);
+    dem_memory_free(file);
+    dem_text_free(&text);
+    return status;
 }
-
-#else
 
 int main(void)
 {
-    printf("ok 1 - rows on a device # SKIP no CL/cl.h (Debian: opencl-c-headers)\n1..1\n");
-    return 0;
-}
+    if (open_device())
+    {
+        printf("ok 1 - rows on a device # SKIP %s\n1..1\n", dem_error_text());
+        return 0;
+    }
+    const int built = build() == DEM_OK;
 
-#endif
+    if (!TAP_OK(built, "the row functions are OpenCL C, for %s%s", dem_opencl_device(cl)->name,
+                built ? "" : dem_error_text()))
+    {
+        return tap_done();
+    }
+    for (int bodies = 0; bodies < 2; bodies++)
+    {
+        bodies ? fill_bodies() : fill_contacts();
+        for (int k = 0; k < LAWS; k++)
+        {
+            if (header_of(k) && (bodies ? laws[k].effect->apply_to_bodies != NULL : laws[k].effect->apply != NULL))
+            {
+                compare_law(k);
+            }
+        }
+    }
+    dem_opencl_close(cl);
+    return tap_done();
+}

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef FUZZ_H
-#define FUZZ_H
+#pragma once
 
 #include "dem_query.h"
 #include <stddef.h>
@@ -32,5 +31,3 @@ void fuzz_scene(const char *text);
 
 /* Status of the last input. */
 int fuzz_status(void);
-
-#endif

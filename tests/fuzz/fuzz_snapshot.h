@@ -3,10 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef FUZZ_SNAPSHOT_H
-#define FUZZ_SNAPSHOT_H
+#pragma once
 
 /* Write the state after some steps; 0 on success. */
 int fuzz_snapshot(const char *path, int steps);
-
-#endif

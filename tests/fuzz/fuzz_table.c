@@ -6,7 +6,6 @@
  */
 #include "fuzz.h"
 #include <stdio.h>
-#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

@@ -8,8 +8,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_PARALLEL_RANKS_H
-#define TESTS_PARALLEL_RANKS_H
+#pragma once
 
 #include "dem.h"
 
@@ -49,5 +48,3 @@ static inline void try(int status)
         MPI_Abort(MPI_COMM_WORLD, 1);
     }
 }
-
-#endif

@@ -16,7 +16,6 @@
 #include "parallel/ranks.h"
 
 #include "case/internal.h"
-#include <math.h>
 #include <string.h>
 
 static long reductions;

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_PHYSICS_BONDED_H
-#define TESTS_PHYSICS_BONDED_H
+#pragma once
 
 #include "physics/world.h"
 
@@ -186,5 +185,3 @@ static inline double chain_ramp(int k, int n)
 
     return s*s*s*(10.0 - 15.0*s + 6.0*s*s);
 }
-
-#endif

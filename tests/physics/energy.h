@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_PHYSICS_ENERGY_H
-#define TESTS_PHYSICS_ENERGY_H
+#pragma once
 
 #include "physics/world.h"
 #include <math.h>
@@ -54,5 +53,3 @@ static inline double energy_term(struct dem *d, const char *name)
     }
     return value;
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_PHYSICS_MESH_H
-#define TESTS_PHYSICS_MESH_H
+#pragma once
 
 #include "physics/world.h"
 
@@ -135,5 +134,3 @@ static inline struct mesh mesh_box(const double min[3], const double max[3])
     }
     return m;
 }
-
-#endif

@@ -6,7 +6,6 @@
  */
 #include "physics/world.h"
 
-#include <unistd.h>
 
 #define PHYSICS "materials { glass { density 2500; youngsModulus 1e7; } }" \
                 "effects { hertz { } dry { restitution 0.3; } mindlin { friction 0.1; } " \

@@ -15,8 +15,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_PHYSICS_WORLD_H
-#define TESTS_PHYSICS_WORLD_H
+#pragma once
 
 #include "unit/tap.h"
 
@@ -329,5 +328,3 @@ static inline int world_table(const char *name, int columns, int capacity, doubl
     fclose(f);
     return rows;
 }
-
-#endif

@@ -11,7 +11,6 @@
 #include "physics/world.h"
 #include <signal.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 static const char heap[] =
     "materials { glass { density 2500; youngsModulus 2e6; } }"

@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef TESTS_UNIT_TAP_H
-#define TESTS_UNIT_TAP_H
+#pragma once
 
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE    /* feenableexcept is glibc's own; effective if this is the first header */
@@ -81,5 +80,3 @@ static inline int tap_done(void)
 #define TAP_TRAPS feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW)
 
 #define TAP_DONE return tap_done()
-
-#endif

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """evaluate.py -- volumes, exchange and the fronts of water and grains.
 
-    evaluate.py [-animate]     writes result.csv, fronts.csv and dam.png; with -animate dam.webp
+    evaluate.py [-animate]     writes result.csv, fronts.csv and dam.png; with -animate dam.webp; with the runs dry and
+                               clear fronts.png
 
 Bounds and their reasons:
   water     change of its volume, relative; 1e-9: identities, 10 digits of the log
@@ -27,6 +28,7 @@ import results                      # noqa: E402
 import side                         # noqa: E402
 
 RUN = HERE/"runs/dam"
+BESIDE = [path for path in (HERE/"runs/dry", HERE/"runs/clear") if path.exists()]
 WIDTH, HEIGHT, TANK = 0.05, 0.1, 0.2             # m, of the column; length of the tank
 
 
@@ -43,18 +45,47 @@ def diameter():
 
 def water(path):
     """Fraction of water of each cell: z, y, x."""
-    return results.field(path/"alpha.water").reshape(cells()[::-1])
+    return numpy.resize(results.field(path/"alpha.water"), cells()[::-1])
 
 
-def fronts():
-    """Time, foremost grain and foremost water on the floor [s, m, m]."""
+def fronts(run):
+    """Time, foremost grain and foremost water on the floor [s, m, m]; not a number where the run has none."""
     rows = []
-    for path in side.times(RUN):
+    for path in side.times(run):
         grains = side.grains(path)
         floor = water(path)[0].mean(axis=0)
         wet = numpy.nonzero(floor > 0.5)[0]
-        rows.append((float(path.name), grains[:, 0].max(), (wet.max() + 1)*TANK/cells()[0]))
+        rows.append((float(path.name), grains[:, 0].max() if len(grains) else numpy.nan,
+                     (wet.max() + 1)*TANK/cells()[0] if len(wet) else numpy.nan))
     return numpy.array(rows)
+
+
+def write(places):
+    """fronts.csv: of each run those of its fronts that it has."""
+    columns = {"time[s]": places[RUN][:, 0]}
+    for run, rows in places.items():
+        for k, name in ((1, "grains"), (2, "water")):
+            if not numpy.isnan(rows[:, k]).any():
+                columns[name + (f" {run.name}" if run != RUN else "") + "[m]"] = rows[:, k]
+    with open(HERE/"fronts.csv", "w", newline="") as file:
+        out = csv.writer(file)
+        out.writerow(columns)
+        out.writerows([f"{x:.5g}" for x in row] for row in zip(*columns.values()))
+
+
+def draw_fronts(places):
+    from style import OTHER, OURS, below, panels, save
+
+    figure, (axis,) = panels(1)
+    for run, k, colour, dashes, label in ((RUN, 2, OTHER, "-", "water, with grains"),
+                                          (HERE/"runs/clear", 2, OTHER, "--", "water alone"),
+                                          (RUN, 1, OURS, "-", "grains, in water"),
+                                          (HERE/"runs/dry", 1, OURS, "--", "grains alone")):
+        if run in places:
+            axis.plot(*places[run][:, [0, k]].T, dashes, color=colour, label=label)
+    axis.set(xlabel="time [s]", ylabel="foremost on the floor [m]", ylim=(WIDTH, 1.03*TANK))
+    below(figure, columns=2)
+    save(figure, HERE/"fronts.png")
 
 
 def limits(axis):
@@ -70,12 +101,9 @@ def draw():
 def main():
     table = results.Table()
     results.balances(table, "balances", RUN)
-    places = fronts()
-    with open(HERE/"fronts.csv", "w", newline="") as file:
-        out = csv.writer(file)
-        out.writerow(["time[s]", "grains[m]", "water[m]"])
-        out.writerows(places)
-    moving = places[places[:, 2] < 0.9*TANK]
+    places = {run: fronts(run) for run in (RUN, *BESIDE)}
+    write(places)
+    moving = places[RUN][places[RUN][:, 2] < 0.9*TANK]
     if len(moving):
         time, grains, water = moving[-1]
         limit = 2*math.sqrt(9.81*HEIGHT)
@@ -86,6 +114,8 @@ def main():
     table.write(HERE)
     with results.pictures():
         draw()
+        if BESIDE:
+            draw_fronts(places)
         if "-animate" in sys.argv:
             side.animate(HERE/"dam.webp", RUN, diameter(), 0.08, limits)
 

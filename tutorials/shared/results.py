@@ -86,7 +86,7 @@ def field(path):
     text = text[text.find("internalField"):] if "internalField" in text else text[text.index("}") + 1:]
     found = re.search(r"(\d+)\s*\((.*?)\n\)", text, re.S)
     numbers = numpy.array(re.sub("[()]", " ", found[2]).split(), float)
-    return numbers.reshape(int(found[1]), -1)
+    return numbers.reshape(int(found[1]), -1 if numbers.size else 3)
 
 
 def solver_log(run):

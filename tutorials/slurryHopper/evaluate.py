@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """evaluate.py -- rate of the grains through the slot, and balances.
 
-    evaluate.py                writes result.csv, mass.png and hopper.png
+    evaluate.py [-animate]     writes result.csv, mass.png and hopper.png; with -animate hopper.webp
 
 References
   Beverloo      W = C rho_b sqrt(g) b (w - k d)^1.5 for a slot w wide and b deep, C = 1.03, k = 1.4 (Nedderman, Statics
@@ -69,13 +69,16 @@ def balances(table, run):
               abs(float(last["rest.volume[m3]"])/float(last["flow:outlet.volume[m3]"])), allowed=1e-9, source="identity")
 
 
+def walls(axis):
+    from style import GREY
+
+    axis.plot([-10, -40, -40], [0, 40, 160], color=GREY, lw=1)
+    axis.plot([10, 40, 40], [0, 40, 160], color=GREY, lw=1)
+    axis.set(xlim=(-42, 42), ylim=(-2, 130))
+
+
 def draw(runs):
     from style import GREY, OTHER, OURS, below, panels, save
-
-    def walls(axis):
-        axis.plot([-10, -40, -40], [0, 40, 160], color=GREY, lw=1)
-        axis.plot([10, 40, 40], [0, 40, 160], color=GREY, lw=1)
-        axis.set(xlim=(-42, 42), ylim=(-2, 130))
 
     folders = [path for path in side.times(runs["slurry"]) if round(float(path.name)/0.05) in (1, 2, 4, 6, 8)]
     side.series(HERE/"hopper.png", runs["slurry"], folders, D, 3.2, walls, width=2.2*len(folders))
@@ -110,6 +113,8 @@ def main():
               % (rates["dry"][0], rates["slurry"][0], beverloo(runs["dry"])))
     with results.pictures():
         draw(runs)
+        if "-animate" in sys.argv:
+            side.animate(HERE/"hopper.webp", runs["slurry"], D, 0.1, walls, size=(2.6, 3.4))
 
 
 if __name__ == "__main__":

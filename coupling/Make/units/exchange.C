@@ -4,6 +4,7 @@
 #include "exchange/demMomentumBalance.C"
 #include "exchange/demFlowQuantities.C"
 #include "exchange/demOwnWake.C"
+#include "exchange/demCapillaryForce.C"
 #include "exchange/demExchange.C"
 #include "exchange/demHeatExchange.C"
 #include "exchange/demParticleBudget.C"

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_GRAVITY_H
-#define DEM_LAWS_GRAVITY_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -19,5 +18,3 @@ DEM_MATH void dem_gravity_row(const struct dem_gravity *l, struct dem_body_row *
     r->fy += r->mass*l->acceleration[1];
     r->fz += r->mass*l->acceleration[2];
 }
-
-#endif

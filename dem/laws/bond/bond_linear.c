@@ -207,6 +207,7 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define COLUMNS dem_bond_linear_columns
 #define ROW dem_bond_linear_make_row
 #define SETS DEM_SETS_REPLACED | DEM_SETS_LOST
+#define ENERGY
 #include "laws/contact_loop.h"
 
 #define LOOP hold
@@ -248,10 +249,6 @@ static void apply(const void *of, struct dem_contact_batch *restrict b, double *
         hand_over(of, b, history);
     }
 }
-
-#define LAW dem_bond_linear
-#define COLUMNS dem_bond_linear_columns
-#include "laws/energy_loop.h"
 
 static int makes_listed(const void *of)
 {

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_BOND_LINEAR_H
-#define DEM_LAWS_BOND_LINEAR_H
+#pragma once
 
 #include "core/random.h"
 #include "laws/bond/bond_springs.h"
@@ -306,5 +305,3 @@ DEM_MATH void dem_bond_linear_energy_row(const struct dem_bond_linear *bond, con
                                              share > 0.0 ? r->kn*d*dem_pow(share, exponent) : 0.0)
                    : 0.0;
 }
-
-#endif

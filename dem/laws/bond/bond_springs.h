@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_BOND_SPRINGS_H
-#define DEM_LAWS_BOND_SPRINGS_H
+#pragma once
 
 #include "laws/rotate.h"
 #include "laws/row.h"
@@ -60,5 +59,3 @@ DEM_MATH struct dem_bond_springs dem_bond_springs(const struct dem_contact_row *
                                    bent, h, n, q),
         .squeezed = values[DEM_BOND_LENGTH] - r->distance};
 }
-
-#endif

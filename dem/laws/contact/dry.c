@@ -50,11 +50,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 #define LAW dem_dry
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_dry
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_dry = {
     .name = "dry",

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_DRY_H
-#define DEM_LAWS_DRY_H
+#pragma once
 
 #include "laws/contact/restitution.h"
 
@@ -28,5 +27,3 @@ DEM_MATH void dem_dry_energy_row(const struct dem_dry *l, const struct dem_conta
     (void)l, (void)before, (void)after;
     dem_restitution_energy(r, e);
 }
-
-#endif

@@ -11,8 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_FILM_LOSS_H
-#define DEM_LAWS_FILM_LOSS_H
+#pragma once
 
 #include "dem_numbers.h"
 
@@ -34,5 +33,3 @@ static inline int dem_film_loss(const struct dem_regime *g, struct dem_relevance
     v->quantity = "of the rebound speed is lost in the fluid film (Legendre et al. 2006)";
     return g->stokes > 0.0;
 }
-
-#endif

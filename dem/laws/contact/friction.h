@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_FRICTION_H
-#define DEM_LAWS_FRICTION_H
+#pragma once
 
 #include "laws/contact/slider_energy.h"
 
@@ -73,5 +72,3 @@ DEM_MATH void dem_friction_energy(const struct dem_friction_settings *l,
     s.previous_stiffness = previous;
     dem_slider_energy(r, s, e);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_FRICTION_EFFECT_H
-#define DEM_LAWS_FRICTION_EFFECT_H
+#pragma once
 
 #include "laws/contact/friction.h"
 #include "laws/effect.h"
@@ -21,5 +20,3 @@
 
 /* 8 G* of a class [Pa], for the law of this name; an error without a normal law or shear moduli. */
 int dem_mindlin_modulus(const char *law, const struct dem_pair_class *, double *modulus);
-
-#endif

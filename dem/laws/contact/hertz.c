@@ -95,11 +95,8 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 
 #define LAW dem_hertz
 #define SETS DEM_SETS_KN | DEM_SETS_FN
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_hertz
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 /* If no normal law is in use: the solid fraction. Spheres collide above 0.1 % (Elghobashi, Appl. Sci.
    Res. 52 (1994) 309). */

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_HERTZ_H
-#define DEM_LAWS_HERTZ_H
+#pragma once
 
 #include "laws/energy_row.h"
 
@@ -30,5 +29,3 @@ DEM_MATH void dem_hertz_energy_row(const struct dem_hertz *l, const struct dem_c
     (void)l, (void)before, (void)after;
     e->stored = r->touching*0.4*r->kn*r->overlap*r->overlap;
 }
-
-#endif

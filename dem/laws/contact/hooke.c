@@ -58,11 +58,8 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 #define BEFORE(settings, batch) dem_impact_stiffnesses(&(settings)->spring, batch)
 #define ROW dem_hooke_force_row
 #define SETS DEM_SETS_FN
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_hooke
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_hooke = {
     .name = "hooke",

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_HOOKE_H
-#define DEM_LAWS_HOOKE_H
+#pragma once
 
 #include "laws/contact/impact_spring.h"
 #include "laws/energy_row.h"
@@ -37,5 +36,3 @@ DEM_MATH void dem_hooke_energy_row(const struct dem_hooke *l, const struct dem_c
     (void)l, (void)before, (void)after;
     e->stored = 0.5*r->kn*r->overlap*r->overlap;
 }
-
-#endif

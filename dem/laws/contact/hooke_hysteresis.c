@@ -98,11 +98,8 @@ static double contact_time(const void *of, const struct dem_pair_class *pair)
 #define BEFORE(settings, batch) dem_impact_stiffnesses(&(settings)->spring, batch)
 #define ROW dem_hooke_hysteresis_force_row
 #define SETS DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_hooke_hysteresis
-#define COLUMNS dem_hooke_hysteresis_columns
-#include "laws/energy_loop.h"
 
 /* 1: k_2/k after the first impact, whose overlap follows from k d^2/2 = m v^2/2, or from
    hertz */

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_HOOKE_HYSTERESIS_H
-#define DEM_LAWS_HOOKE_HYSTERESIS_H
+#pragma once
 
 #include "laws/contact/impact_spring.h"
 #include "laws/energy_row.h"
@@ -107,5 +106,3 @@ DEM_MATH void dem_hooke_hysteresis_energy_row(const struct dem_hooke_hysteresis 
     e->stored = k*dem_unloading_elastic(to, d);
     e->lost = k*dem_select(now < old, sticking, from.spent - first.spent);
 }
-
-#endif

@@ -37,8 +37,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_IMPACT_SPEED_H
-#define DEM_LAWS_IMPACT_SPEED_H
+#pragma once
 
 #include "core/math.h"
 #include "laws/contact/impact_spring.h"
@@ -149,5 +148,3 @@ DEM_MATH void dem_impact_stiffnesses(const struct dem_impact_spring *spring,
         b->kn[c] = dem_impact_given_stiffness(&s, b->touching[c]);
     }
 }
-
-#endif

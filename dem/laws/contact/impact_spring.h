@@ -5,8 +5,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_IMPACT_SPRING_H
-#define DEM_LAWS_IMPACT_SPRING_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -37,5 +36,3 @@ DEM_MATH void dem_impact_stiffness_row(const struct dem_impact_spring *s, struct
                                                           r->reduced_mass)
                            : dem_impact_given_stiffness(s, r->touching);
 }
-
-#endif

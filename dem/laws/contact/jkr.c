@@ -99,11 +99,8 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define LAW dem_jkr
 #define COLUMNS dem_jkr_columns
 #define SETS DEM_SETS_FN | DEM_SETS_STORED | DEM_SETS_LOST
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_jkr
-#define COLUMNS dem_jkr_columns
-#include "laws/energy_loop.h"
 
 /* J: 7.09 (w^5 R^4/E^2)^(1/3), lost in each contact */
 static double contact_loss(double w, const struct dem_regime *g)

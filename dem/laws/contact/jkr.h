@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_JKR_H
-#define DEM_LAWS_JKR_H
+#pragma once
 
 #include "laws/energy_row.h"
 
@@ -80,5 +79,3 @@ DEM_MATH void dem_jkr_energy_row(const struct dem_jkr *l, const struct dem_conta
     (void)l, (void)before;
     e->stored -= after[0]*0.4*r->kn*r->overlap*r->overlap;
 }
-
-#endif

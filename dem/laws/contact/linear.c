@@ -65,11 +65,8 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 #define LAW dem_linear
 #define COLUMNS dem_linear_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_linear
-#define COLUMNS dem_linear_columns
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_linear = {
     .name = "linear",

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_LINEAR_H
-#define DEM_LAWS_LINEAR_H
+#pragma once
 
 #include "laws/contact/friction.h"
 
@@ -39,5 +38,3 @@ DEM_MATH void dem_linear_energy_row(const struct dem_linear *l, const struct dem
     dem_friction_energy(&l->common, r, before,
                         dem_select(e->previous_overlap > 0.0, l->stiffness, 0.0) + l->ratio*e->previous_kn, e);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_LIQUID_BRIDGE_H
-#define DEM_LAWS_LIQUID_BRIDGE_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -145,5 +144,3 @@ DEM_MATH void dem_liquid_bridge_row(const struct dem_liquid_bridge *l, struct de
     film->rate_i += 0.5*(1.0 + l->wall)*broken - formed*part*of_i;
     film->rate_j += 0.5*(1.0 - l->wall)*broken - formed*part*of_j;
 }
-
-#endif

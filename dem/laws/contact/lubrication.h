@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_LUBRICATION_H
-#define DEM_LAWS_LUBRICATION_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -50,5 +49,3 @@ DEM_MATH void dem_lubrication_row(const struct dem_lubrication *l, struct dem_co
     /* exact for an isolated pair */
     r->lost += damper*vn*r->dt*(vn - 0.5*damper*vn*r->dt/dem_select(m > 0.0, m, 1.0));
 }
-
-#endif

@@ -68,11 +68,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define LAW dem_mindlin
 #define COLUMNS dem_mindlin_columns
 #define SETS DEM_SETS_KT | DEM_SETS_FORCE
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_mindlin
-#define COLUMNS dem_mindlin_columns
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_mindlin = {
     .name = "mindlin",

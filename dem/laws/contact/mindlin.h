@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_MINDLIN_H
-#define DEM_LAWS_MINDLIN_H
+#pragma once
 
 #include "laws/contact/friction.h"
 
@@ -44,5 +43,3 @@ DEM_MATH void dem_mindlin_energy_row(const struct dem_mindlin *l, const struct d
     dem_friction_energy(&l->common, r, before,
                         l->modulus*sqrt(r->reduced_radius*e->previous_overlap), e);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_MINDLIN_INCREMENTAL_H
-#define DEM_LAWS_MINDLIN_INCREMENTAL_H
+#pragma once
 
 #include "laws/contact/mindlin.h"
 
@@ -47,5 +46,3 @@ DEM_MATH void dem_mindlin_incremental_energy_row(const struct dem_mindlin_increm
     dem_friction_energy(&l->common, r, xi, was + grown, e);
     e->lost += was/2*square*(1.0 - keep);
 }
-
-#endif

@@ -20,8 +20,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_RESTITUTION_H
-#define DEM_LAWS_RESTITUTION_H
+#pragma once
 
 #include "laws/energy_row.h"
 
@@ -80,5 +79,3 @@ DEM_MATH void dem_restitution_energy(const struct dem_contact_row *r, struct dem
 
     e->lost = -r->touching*e->normal_force*(r->vn + gain*r->fn)*r->dt;
 }
-
-#endif

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_RESTITUTION_EFFECT_H
-#define DEM_LAWS_RESTITUTION_EFFECT_H
+#pragma once
 
 #include "laws/contact/restitution.h"
 
@@ -23,5 +22,3 @@ static inline double dem_restitution_loss(double e)
 {
     return e > 0.0 ? 0.0 - dem_log(e) : 1e9;
 }
-
-#endif

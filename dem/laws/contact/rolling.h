@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROLLING_H
-#define DEM_LAWS_ROLLING_H
+#pragma once
 
 #include "laws/energy_row.h"
 
@@ -33,5 +32,3 @@ DEM_MATH void dem_rolling_energy(const struct dem_contact_row *r, struct dem_ene
 
     e->lost = r->touching*(power - 0.5*r->dt*square/e->inertia)*r->dt;
 }
-
-#endif

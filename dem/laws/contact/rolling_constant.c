@@ -35,11 +35,8 @@ static const struct dem_setting settings[] = {
 
 #define LAW dem_rolling_constant
 #define SETS DEM_SETS_MOMENT
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_rolling_constant
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_rolling_constant = {
     .name = "rollingConstant",

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROLLING_CONSTANT_H
-#define DEM_LAWS_ROLLING_CONSTANT_H
+#pragma once
 
 #include "laws/contact/rolling.h"
 
@@ -41,5 +40,3 @@ DEM_MATH void dem_rolling_constant_energy_row(const struct dem_rolling_constant 
     (void)l, (void)before, (void)after;
     dem_rolling_energy(r, e);
 }
-
-#endif

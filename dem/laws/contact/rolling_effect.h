@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROLLING_EFFECT_H
-#define DEM_LAWS_ROLLING_EFFECT_H
+#pragma once
 
 #include "laws/batch.h"
 #include "dem_numbers.h"
@@ -23,5 +22,3 @@ static inline int dem_rolling_relevance(const void *settings, const struct dem_r
             : "of the moment of friction: there is no friction (Ai, Chen, Rotter, Ooi 2011)";
     return settings != NULL;
 }
-
-#endif

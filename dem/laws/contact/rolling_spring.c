@@ -70,11 +70,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define LAW dem_rolling_spring
 #define COLUMNS dem_rolling_spring_columns
 #define SETS DEM_SETS_MOMENT
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_rolling_spring
-#define COLUMNS dem_rolling_spring_columns
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_rolling_spring = {
     .name = "rollingSpring",

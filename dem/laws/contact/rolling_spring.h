@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROLLING_SPRING_H
-#define DEM_LAWS_ROLLING_SPRING_H
+#pragma once
 
 #include "laws/contact/slider_energy.h"
 
@@ -69,5 +68,3 @@ DEM_MATH void dem_rolling_spring_energy_row(const struct dem_rolling_spring *l, 
     s.previous_stiffness = l->ratio*e->previous_kn*r->reduced_radius*r->reduced_radius;
     dem_slider_energy(r, s, e);
 }
-
-#endif

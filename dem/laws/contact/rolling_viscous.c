@@ -41,11 +41,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 
 #define LAW dem_rolling_viscous
 #define SETS DEM_SETS_MOMENT
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_rolling_viscous
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 /* In use: A v/(R mu), fraction of the largest moment of friction on a sphere that rolls at v. */
 static int relevance(const void *of, const struct dem_regime *g, struct dem_relevance *v)

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ROLLING_VISCOUS_H
-#define DEM_LAWS_ROLLING_VISCOUS_H
+#pragma once
 
 #include "laws/contact/rolling.h"
 
@@ -34,5 +33,3 @@ DEM_MATH void dem_rolling_viscous_energy_row(const struct dem_rolling_viscous *l
     (void)l, (void)before, (void)after;
     dem_rolling_energy(r, e);
 }
-
-#endif

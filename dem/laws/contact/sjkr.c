@@ -29,11 +29,8 @@ static const struct dem_setting settings[] = {
 
 #define LAW dem_sjkr
 #define SETS DEM_SETS_FN
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_sjkr
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 /* In use: its largest attraction 2/3 pi^3 w^3 (R* over E*)^2 (with hertz) over the weight, or its
    fraction 3/2 pi w sqrt(R* / d)/E* of the force of an impact at overlap d:

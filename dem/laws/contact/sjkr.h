@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SJKR_H
-#define DEM_LAWS_SJKR_H
+#pragma once
 
 #include "laws/energy_row.h"
 
@@ -32,5 +31,3 @@ DEM_MATH void dem_sjkr_energy_row(const struct dem_sjkr *l, const struct dem_con
     e->stored = r->bond_replaces > 0.0 ? 0.0 : held;
     e->lost = r->bond_replaces > 1.0 ? held : 0.0;
 }
-
-#endif

@@ -55,8 +55,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SLIDER_H
-#define DEM_LAWS_SLIDER_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -171,5 +170,3 @@ DEM_MATH void dem_slider_keep(const struct dem_slider *s, double *xi)
     xi[1] = s->xi_y;
     xi[2] = s->xi_z;
 }
-
-#endif

@@ -7,8 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SLIDER_COLUMNS_H
-#define DEM_LAWS_SLIDER_COLUMNS_H
+#pragma once
 
 #include "laws/batch.h"
 #include "laws/contact/slider.h"
@@ -59,5 +58,3 @@ DEM_MATH struct dem_slider dem_slider_end(const struct dem_slider_columns *t, in
                                   (struct dem_slider_limited){.force_factor = t->limit[c],
                                                               .spring_factor = t->stiffness[c]});
 }
-
-#endif

@@ -20,8 +20,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SLIDER_ENERGY_H
-#define DEM_LAWS_SLIDER_ENERGY_H
+#pragma once
 
 #include "laws/contact/slider.h"
 #include "laws/energy_row.h"
@@ -51,5 +50,3 @@ DEM_MATH void dem_slider_energy(const struct dem_contact_row *r, struct dem_slid
     e->stored = k/2*(xi_x*xi_x + xi_y*xi_y + xi_z*xi_z);
     e->lost = dem_select((on > 0) & !(k > 0), rubbed, lost);
 }
-
-#endif

@@ -132,11 +132,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define LAW dem_stokes_damping
 #define COLUMNS dem_stokes_damping_columns
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_stokes_damping
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 static double own_added_mass(const void *of)
 {

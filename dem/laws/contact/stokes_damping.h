@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_STOKES_H
-#define DEM_LAWS_STOKES_H
+#pragma once
 
 #include "laws/contact/restitution.h"
 
@@ -64,5 +63,3 @@ DEM_MATH void dem_stokes_damping_energy_row(const struct dem_stokes_damping *l, 
     (void)l, (void)before, (void)after;
     dem_restitution_energy(r, e);
 }
-
-#endif

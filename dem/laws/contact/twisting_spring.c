@@ -67,11 +67,8 @@ static int prepare(void *of, const struct dem_pair_class *pair)
 #define LAW dem_twisting_spring
 #define COLUMNS dem_twisting_spring_columns
 #define SETS DEM_SETS_MOMENT
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_twisting_spring
-#define COLUMNS dem_twisting_spring_columns
-#include "laws/energy_loop.h"
 
 /* In use: its largest moment over R* mu F_n: 3 pi/16 sqrt(d/R*) mu_t/mu at the overlap d of an
    impact, or mu_t/mu. */

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_TWISTING_SPRING_H
-#define DEM_LAWS_TWISTING_SPRING_H
+#pragma once
 
 #include "laws/energy_row.h"
 
@@ -71,5 +70,3 @@ DEM_MATH void dem_twisting_spring_energy_row(const struct dem_twisting_spring *l
     e->stored = 0.5*stiffness*to*to;
     e->lost = damped + 0.5*(was*from + stiffness*to)*slipped - 0.5*(stiffness - was)*from*to;
 }
-
-#endif

@@ -49,11 +49,8 @@ static double time_limit(const void *of, const struct dem_pair_class *pair, cons
 
 #define LAW dem_viscous
 #define SETS DEM_SETS_ETA | DEM_SETS_FN | DEM_SETS_ADHESIVE_FORCE
+#define ENERGY
 #include "laws/contact_loop.h"
-
-#define LAW dem_viscous
-#define COLUMNS 0
-#include "laws/energy_loop.h"
 
 const struct dem_effect dem_viscous = {
     .name = "viscous",

@@ -4,8 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_VISCOUS_H
-#define DEM_LAWS_VISCOUS_H
+#pragma once
 
 #include "laws/contact/restitution.h"
 
@@ -28,5 +27,3 @@ DEM_MATH void dem_viscous_energy_row(const struct dem_viscous *l, const struct d
     (void)l, (void)before, (void)after;
     dem_restitution_energy(r, e);
 }
-
-#endif

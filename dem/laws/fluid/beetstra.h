@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_BEETSTRA_H
-#define DEM_LAWS_BEETSTRA_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -40,5 +39,3 @@ DEM_MATH void dem_beetstra_row(const struct dem_beetstra *l, struct dem_body_row
 
     dem_drag_add(r, y*e*dem_beetstra_normalised(e, re/dem_select(y > 0.0, y, 1.0)));
 }
-
-#endif

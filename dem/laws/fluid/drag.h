@@ -21,8 +21,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_DRAG_H
-#define DEM_LAWS_DRAG_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -92,5 +91,3 @@ DEM_MATH double dem_drag_transition(double re)
 
     return dem_exp(-0.5*from*from);
 }
-
-#endif

@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_EDDY_H
-#define DEM_LAWS_EDDY_H
+#pragma once
 
 #include "core/math.h"
 #include "core/random.h"
@@ -68,5 +67,3 @@ static inline void dem_eddy_begin(const struct dem_eddies *e, uint64_t id, uint6
         }
     }
 }
-
-#endif

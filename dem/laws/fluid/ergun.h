@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_ERGUN_H
-#define DEM_LAWS_ERGUN_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -15,5 +14,3 @@ DEM_MATH void dem_ergun_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, dem_drag_ergun(e, re));
 }
-
-#endif

@@ -31,13 +31,8 @@ static const struct dem_setting settings[] = {
     {0},
 };
 
-#define LOOP prepare_bodies
 #define LAW dem_gidaspow
-#define ROW dem_gidaspow_prepare_row
-#define SETS DEM_SETS_VOIDAGE_FACTOR
-#include "laws/body_loop.h"
-
-#define LAW dem_gidaspow
+#define PREPARES DEM_SETS_VOIDAGE_FACTOR
 #define SETS DEM_SETS_DRAG
 #include "laws/body_loop.h"
 

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_GIDASPOW_H
-#define DEM_LAWS_GIDASPOW_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -65,5 +64,3 @@ DEM_MATH void dem_gidaspow_row(const struct dem_gidaspow *l, struct dem_body_row
     (void)l;
     dem_drag_add(r, (1.0 - phi)*dem_drag_ergun(e, re) + phi*wen_yu);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_HOELZER_SOMMERFELD_H
-#define DEM_LAWS_HOELZER_SOMMERFELD_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -34,5 +33,3 @@ DEM_MATH void dem_hoelzer_sommerfeld_row(const void *none, struct dem_body_row *
     (void)none;
     dem_drag_add(r, dem_hoelzer_sommerfeld_single(r, re)*dem_pow(e, 1.0 - chi));
 }
-
-#endif

@@ -21,13 +21,8 @@
 #include "laws/effect.h"
 #include "laws/fluid/koch_hill.h"
 
-#define LOOP prepare_bodies
 #define LAW dem_koch_hill
-#define ROW dem_koch_hill_prepare_row
-#define SETS DEM_SETS_VOIDAGE_FACTOR
-#include "laws/body_loop.h"
-
-#define LAW dem_koch_hill
+#define PREPARES DEM_SETS_VOIDAGE_FACTOR
 #define SETS DEM_SETS_DRAG
 #include "laws/body_loop.h"
 

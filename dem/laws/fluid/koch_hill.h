@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_KOCH_HILL_H
-#define DEM_LAWS_KOCH_HILL_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -42,5 +41,3 @@ DEM_MATH void dem_koch_hill_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, e*e*(r->voidage_factor[0] + r->voidage_factor[1]*re));
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_MAGNUS_H
-#define DEM_LAWS_MAGNUS_H
+#pragma once
 
 #include "laws/fluid/slip.h"
 
@@ -37,5 +36,3 @@ DEM_MATH void dem_magnus_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_slip_lift(r, &w, eighth_pi*r->density*d*d*d*C, spin);
 }
-
-#endif

@@ -26,8 +26,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_PARTICLE_EXCHANGE_H
-#define DEM_LAWS_PARTICLE_EXCHANGE_H
+#pragma once
 
 #include <math.h>
 
@@ -75,5 +74,3 @@ static inline double dem_exchange_sauter(double volume, double per_diameter)
 {
     return per_diameter > 0.0 && volume > 0.0 ? volume/per_diameter : 0.0;
 }
-
-#endif

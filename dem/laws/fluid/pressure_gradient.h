@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_PRESSURE_GRADIENT_H
-#define DEM_LAWS_PRESSURE_GRADIENT_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -15,5 +14,3 @@ DEM_MATH void dem_pressure_gradient_row(const void *none, struct dem_body_row *r
     r->fy -= r->volume*r->gy;
     r->fz -= r->volume*r->gz;
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_RONG_H
-#define DEM_LAWS_RONG_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -16,5 +15,3 @@ DEM_MATH void dem_rong_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, dem_drag_dallavalle(re)*dem_pow(e, 1.0 - chi));
 }
-
-#endif

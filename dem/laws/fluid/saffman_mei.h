@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SAFFMAN_MEI_H
-#define DEM_LAWS_SAFFMAN_MEI_H
+#pragma once
 
 #include "laws/fluid/slip.h"
 
@@ -32,5 +31,3 @@ DEM_MATH void dem_saffman_mei_row(const void *none, struct dem_body_row *r)
                       sqrt(w.nu/dem_select(acts > 0.0, vorticity, 1.0))*J,
                   o);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SCHILLER_NAUMANN_H
-#define DEM_LAWS_SCHILLER_NAUMANN_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -13,5 +12,3 @@ DEM_MATH void dem_schiller_naumann_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, dem_drag_single_sphere(dem_drag_reynolds(r, 1.0)));
 }
-
-#endif

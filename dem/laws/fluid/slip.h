@@ -9,8 +9,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_SLIP_H
-#define DEM_LAWS_SLIP_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -39,5 +38,3 @@ DEM_MATH void dem_slip_lift(struct dem_body_row *r, const struct dem_slip *w, do
     r->ry += k*(w->z*a[0] - w->x*a[2]);
     r->rz += k*(w->x*a[1] - w->y*a[0]);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_STOKES_DRAG_H
-#define DEM_LAWS_STOKES_DRAG_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -13,5 +12,3 @@ DEM_MATH void dem_stokes_drag_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, 1.0);
 }
-
-#endif

@@ -25,13 +25,8 @@
 #include "laws/effect.h"
 #include "laws/fluid/tenneti.h"
 
-#define LOOP prepare_bodies
 #define LAW dem_tenneti
-#define ROW dem_tenneti_prepare_row
-#define SETS DEM_SETS_VOIDAGE_FACTOR
-#include "laws/body_loop.h"
-
-#define LAW dem_tenneti
+#define PREPARES DEM_SETS_VOIDAGE_FACTOR
 #define SETS DEM_SETS_DRAG
 #include "laws/body_loop.h"
 

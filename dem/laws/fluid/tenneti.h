@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_TENNETI_H
-#define DEM_LAWS_TENNETI_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -25,5 +24,3 @@ DEM_MATH void dem_tenneti_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, dem_drag_single_sphere(re)/e + r->voidage_factor[0] + r->voidage_factor[1]*re);
 }
-
-#endif

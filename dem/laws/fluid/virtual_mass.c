@@ -43,13 +43,8 @@ static const struct dem_setting settings[] = {
     {0},
 };
 
-#define LOOP prepare_bodies
 #define LAW dem_virtual_mass
-#define ROW dem_virtual_mass_prepare_row
-#define SETS DEM_SETS_ADDED_MASS
-#include "laws/body_loop.h"
-
-#define LAW dem_virtual_mass
+#define PREPARES DEM_SETS_ADDED_MASS
 #define SETS DEM_SETS_REACTION
 #include "laws/body_loop.h"
 

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_VIRTUAL_MASS_H
-#define DEM_LAWS_VIRTUAL_MASS_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -47,5 +46,3 @@ DEM_MATH void dem_virtual_mass_row(const struct dem_virtual_mass *l, struct dem_
     r->ry += r->added_mass*r->ay;
     r->rz += r->added_mass*r->az;
 }
-
-#endif

@@ -8,11 +8,8 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_VISCOSITY_H
-#define DEM_LAWS_VISCOSITY_H
+#pragma once
 
 #include "laws/scalar.h"
 
 extern const struct dem_scalar dem_fluid_viscosity;
-
-#endif

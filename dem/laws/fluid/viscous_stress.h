@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_VISCOUS_STRESS_H
-#define DEM_LAWS_VISCOUS_STRESS_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -15,5 +14,3 @@ DEM_MATH void dem_viscous_stress_row(const void *none, struct dem_body_row *r)
     r->ry += r->volume*r->sy;
     r->rz += r->volume*r->sz;
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_VISCOUS_TORQUE_H
-#define DEM_LAWS_VISCOUS_TORQUE_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -30,5 +29,3 @@ DEM_MATH void dem_viscous_torque_row(const struct dem_viscous_torque *l, struct 
     r->spin_drag_wy += t*y;
     r->spin_drag_wz += t*z;
 }
-
-#endif

@@ -18,13 +18,8 @@
 #include "laws/effect.h"
 #include "laws/fluid/wen_yu.h"
 
-#define LOOP prepare_bodies
 #define LAW dem_wen_yu
-#define ROW dem_wen_yu_prepare_row
-#define SETS DEM_SETS_VOIDAGE_FACTOR
-#include "laws/body_loop.h"
-
-#define LAW dem_wen_yu
+#define PREPARES DEM_SETS_VOIDAGE_FACTOR
 #define SETS DEM_SETS_DRAG
 #include "laws/body_loop.h"
 

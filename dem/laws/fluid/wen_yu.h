@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_WEN_YU_H
-#define DEM_LAWS_WEN_YU_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -22,5 +21,3 @@ DEM_MATH void dem_wen_yu_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_drag_add(r, r->voidage_factor[0]*dem_drag_single_sphere(re));
 }
-
-#endif

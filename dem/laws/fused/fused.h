@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_FUSED_H
-#define DEM_LAWS_FUSED_H
+#pragma once
 
 #include "laws/effect.h"
 
@@ -35,5 +34,3 @@ extern const struct dem_fused_kernel *const dem_fused_kernels[];
 
 /* in the place of a law that a kernel does not have; no effect of a scene */
 extern const struct dem_effect dem_none;
-
-#endif

@@ -6,8 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_FUSED_KERNEL_H
-#define DEM_LAWS_FUSED_KERNEL_H
+#pragma once
 
 #include "laws/batch_row.h"
 #include "laws/contact/dry.h"
@@ -119,5 +118,3 @@ DEM_MATH void dem_fused_begin(struct dem_contact_row *r)
         {&dem_##normal, &dem_##damping, &dem_##friction, &dem_##rolling, &dem_##film},         \
             DEM_FUSED_NAME_(normal, damping, friction, rolling, film)                          \
     }
-
-#endif

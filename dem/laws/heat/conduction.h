@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_CONDUCTION_H
-#define DEM_LAWS_CONDUCTION_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -25,5 +24,3 @@ DEM_MATH void dem_conduction_row(const struct dem_conduction *l, struct dem_cont
     t->rate_i += heat;
     t->rate_j -= heat;
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_FRICTION_HEAT_H
-#define DEM_LAWS_FRICTION_HEAT_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -24,5 +23,3 @@ DEM_MATH void dem_friction_heat_row(const struct dem_friction_heat *l, struct de
     t->rate_i += l->fraction*heat;
     t->rate_j += (1.0 - l->fraction)*heat;    /* a wall's is not used */
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_GAS_FILM_H
-#define DEM_LAWS_GAS_FILM_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -85,5 +84,3 @@ DEM_MATH void dem_gas_film_row(const struct dem_gas_film *l, struct dem_contact_
     t->rate_i += heat;
     t->rate_j -= heat;
 }
-
-#endif

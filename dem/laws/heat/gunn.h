@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_GUNN_H
-#define DEM_LAWS_GUNN_H
+#pragma once
 
 #include "laws/heat/heat_transfer.h"
 
@@ -18,5 +17,3 @@ DEM_MATH void dem_gunn_row(const void *none, struct dem_body_row *r)
     dem_heat_transfer_add(r,
                           film + (1.33 - 2.4*e + 1.2*e*e)*dem_pow(re, 0.7)*prandtl_root);
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_HEAT_H
-#define DEM_LAWS_HEAT_H
+#pragma once
 
 #include "laws/effect.h"
 
@@ -49,5 +48,3 @@ static inline double dem_heat_real_modulus(const struct dem_pair_class *pair)
     }
     return 1.0/compliance;
 }
-
-#endif

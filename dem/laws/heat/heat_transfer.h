@@ -14,8 +14,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_HEAT_TRANSFER_H
-#define DEM_LAWS_HEAT_TRANSFER_H
+#pragma once
 
 #include "laws/fluid/drag.h"
 
@@ -49,5 +48,3 @@ DEM_MATH void dem_heat_transfer_add(struct dem_body_row *r, double nusselt)
     r->scalars[DEM_HEAT_TEMPERATURE].coefficient += B;
     r->scalars[DEM_HEAT_TEMPERATURE].to_target += B*r->scalars[DEM_HEAT_FLUID_TEMPERATURE].value;
 }
-
-#endif

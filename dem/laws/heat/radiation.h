@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_RADIATION_H
-#define DEM_LAWS_RADIATION_H
+#pragma once
 
 #include "laws/row.h"
 
@@ -47,5 +46,3 @@ DEM_MATH void dem_radiation_row(const struct dem_radiation *l, struct dem_contac
     t->rate_i += heat;
     t->rate_j -= heat;
 }
-
-#endif

@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_RANZ_MARSHALL_H
-#define DEM_LAWS_RANZ_MARSHALL_H
+#pragma once
 
 #include "laws/heat/heat_transfer.h"
 
@@ -15,5 +14,3 @@ DEM_MATH void dem_ranz_marshall_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_heat_transfer_add(r, 2.0 + 0.6*sqrt(re)*dem_heat_prandtl_root(r));
 }
-
-#endif

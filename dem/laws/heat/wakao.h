@@ -3,8 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef DEM_LAWS_WAKAO_H
-#define DEM_LAWS_WAKAO_H
+#pragma once
 
 #include "laws/heat/heat_transfer.h"
 
@@ -16,5 +15,3 @@ DEM_MATH void dem_wakao_row(const void *none, struct dem_body_row *r)
     (void)none;
     dem_heat_transfer_add(r, 2.0 + 1.1*dem_pow(re, 0.6)*prandtl_root);
 }
-
-#endif

@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+    demCapillaryForce.C -- surface tension on particles at the interface of two fluids.
+
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "demCapillaryForce.H"
+#include "demColumns.H"
+#include "extrapolatedCalculatedFvPatchFields.H"
+#include "fvcSnGrad.H"
+#include "surfaceInterpolationScheme.H"
+#include "surfaceTensionModel.H"
+
+// As cellVector.H: of flat faces the fluxes times half the way from cell to cell add up to the force
+Foam::tmp<Foam::vectorField> Foam::demCapillaryForce::gradient
+(
+    const surfaceScalarField& alphaGradient
+) const
+{
+    const fvMesh& mesh = particles_.mesh();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    const vectorField& c = mesh.cellCentres();
+    const vectorField& f = mesh.faceCentres();
+    tmp<vectorField> tsum(new vectorField(mesh.nCells(), Zero));
+    vectorField& sum = tsum.ref();
+
+    forAll(nei, facei)
+    {
+        sum[own[facei]] += (f[facei] - c[own[facei]])*alphaGradient[facei];
+        sum[nei[facei]] += (c[nei[facei]] - f[facei])*alphaGradient[facei];
+    }
+    forAll(alphaGradient.boundaryField(), patchi)
+    {
+        const scalarField& part = alphaGradient.boundaryField()[patchi];
+        const labelUList& cells = mesh.boundary()[patchi].faceCells();
+        const vectorField::subField centres(mesh.boundaryMesh()[patchi].faceCentres());
+
+        forAll(part, facei)
+        {
+            sum[cells[facei]] += (centres[facei] - c[cells[facei]])*part[facei];
+        }
+    }
+    sum /= mesh.V().field();
+    return tsum;
+}
+
+
+Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
+:
+    particles_(particles),
+    view_(particles.view()),
+    fluid_(particles.fluid()),
+    transfer_(particles.transfer()),
+    tension_
+    (
+        particles.mesh().findObject<surfaceTensionModel>(surfaceTensionModel::typeName)
+    ),
+    alpha_(nullptr),
+    onFaces_
+    (
+        IOobject
+        (
+            "dem:capillaryForce", particles.mesh().time().timeName(), particles.mesh(), IOobject::NO_READ
+        ),
+        particles.mesh(),
+        dimensionedScalar(dimPressure*dimLength, Zero)
+    )
+{
+    const word effect(particles.dict().effectWith(DEM_TRAIT_INTERFACE));
+
+    if (!tension_ || (particles.twoWay() && !particles.volumeAveraged()))
+    {
+        FatalErrorInFunction
+            << "The effect " << effect << " acts at the interface of two fluids, which gets the"
+            << " opposite force; only demInterFoam has it in its equations: take the effect out,"
+            << " or use demInterFoam" << exit(FatalError);
+    }
+    if (!(gMax(tension_->sigma()().primitiveField()) > 0))
+    {
+        FatalErrorInFunction
+            << "The effect " << effect << " is the force of surface tension, but sigma of"
+            << " constant/transportProperties is 0: give the surface tension between the fluids"
+            << " [N/m], or take the effect out" << exit(FatalError);
+    }
+
+    const dictionary& transport =
+        particles.mesh().lookupObject<dictionary>("transportProperties");
+    alpha_ = &particles.mesh().lookupObject<volScalarField>
+    (
+        IOobject::groupName("alpha", wordList(transport.lookup("phases"))[0])
+    );
+    onFaces_.setOriented();
+}
+
+
+void Foam::demCapillaryForce::toParticles()
+{
+    const fvMesh& mesh = particles_.mesh();
+    const surfaceScalarField alphaGradient(fvc::snGrad(*alpha_)*mesh.magSf());
+    const vectorField G(transfer_.sample<vector>(gradient(alphaGradient)()));
+    const scalarField alpha(transfer_.sample(*alpha_));
+    const scalarField sigma(transfer_.sample(tension_->sigma()()));
+
+    forAll(G, i)
+    {
+        const scalar size = mag(G[i]);
+        const scalar R = *dem_at(view_.radius, view_.stride, size_t(i));
+        const bool reached = mag(0.5 - alpha[i]) < R*size;
+        const vector tension(reached ? vector(-sigma[i]/size*G[i]) : vector::zero);
+
+        fluid_.interface_distance[i] = reached ? (0.5 - alpha[i])/size : 0;
+        for (direction d = 0; d < 3; d++)
+        {
+            fluid_.tension[3*i + d] = tension[d];
+        }
+    }
+
+    force_.setSize(view_.n);
+    dem_fluid_interface_force(particles_.core(), reinterpret_cast<scalar*>(force_.begin()));
+    if (!particles_.react())
+    {
+        return;
+    }
+
+    scalarField pull(view_.n);
+    forAll(pull, i)
+    {
+        pull[i] = -(force_[i] & G[i])/max(magSqr(G[i]), VSMALL);
+    }
+    volScalarField lambda
+    (
+        IOobject("lambda", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE),
+        mesh,
+        dimensionedScalar(dimPressure, Zero),
+        extrapolatedCalculatedFvPatchScalarField::typeName
+    );
+    transfer_.deposit(pull, lambda.ref());
+    lambda.correctBoundaryConditions();
+    onFaces_ =
+        surfaceInterpolationScheme<scalar>::interpolate
+        (
+            lambda,
+            1 - mesh.surfaceInterpolation::weights()
+        )
+       *alphaGradient;
+}
+
+
+Foam::scalar Foam::demCapillaryForce::longestStep() const
+{
+    scalar lightest = GREAT;
+
+    for (size_t i = 0; i < view_.n; i++)
+    {
+        if (!isFrozen(view_, i))
+        {
+            lightest = min(lightest, *dem_at(view_.mass, view_.stride, i));
+        }
+    }
+    reduce(lightest, minOp<scalar>());
+    return
+        0.5*sqrt
+        (
+            lightest
+           /(constant::mathematical::twoPi*gMax(tension_->sigma()().primitiveField()))
+        );
+}
