@@ -253,6 +253,16 @@ Foam::label Foam::demWalls::add(::dem_case* c)
 
 void Foam::demWalls::move(::dem* d)
 {
+    for (int k = 0; k < dem_wall_count(d); k++)
+    {
+        if (dem_wall_wears(d, k) && mesh_.boundaryMesh().findPatchID(dem_wall_name(d, k)) >= 0)
+        {
+            FatalErrorInFunction
+                << "walls/" << dem_wall_name(d, k) << "/wear: the mesh moves, and wear is summed on"
+                << " patches at rest only; take it out" << exit(FatalError);
+        }
+    }
+
     movePatches
     (
         [d](const char* name, const List<double>& corners)

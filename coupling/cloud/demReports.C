@@ -8,6 +8,7 @@
 #include "dem_plan.h"
 #include "demCheck.H"
 #include "demInteger.H"
+#include "OSspecific.H"
 
 void Foam::demReports::reportStep(const struct ::dem_totals& before)
 {
@@ -93,6 +94,7 @@ Foam::demReports::demReports(demParticles& particles, const demVoidFraction& vol
     flowTable_(particles.mesh().time()),
     losses_(particles.mesh()),
     bonds_(particles.mesh().time()),
+    wearWritten_(false),
     progress_(particles.mesh().time()),
     edits_(particles.mesh().time(), particles.dict().file()),
     stages_(0)
@@ -141,9 +143,38 @@ void Foam::demReports::reportLosses()
 }
 
 
+void Foam::demReports::writeWear()
+{
+    ::dem* d = particles_.core();
+
+    if (!dem_walls_wear(d))
+    {
+        return;
+    }
+
+    const Time& time = particles_.mesh().time();
+    fileName folder(demTable::folder(time));
+    demBroadcast(folder);
+
+    if (Pstream::master())
+    {
+        mkDir(folder);
+        if (!wearWritten_ && isFile(folder/"walls.pvd", false))
+        {
+            rm(folder/"walls.pvd");     // of a run that began at the same time
+        }
+    }
+    wearWritten_ = true;
+
+    const fileName file("walls_" + time.timeName() + ".vtp");
+    demCheck(dem_walls_draw(d, folder.c_str(), file.c_str(), time.value()));
+}
+
+
 void Foam::demReports::write()
 {
     bonds_.writeVtk(particles_.core());
+    writeWear();
     flowTable_.report(particles_.core(), true, particles_.time());
     writeMeans();
 }

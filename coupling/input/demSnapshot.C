@@ -165,7 +165,7 @@ static dictionary readNumbers(const fileName& snapshot)
         FatalErrorInFunction
             << "There is no file " << file << ", which belongs to the snapshot beside it: the"
             << " width of the kernel and the limits of the next step are in it. Put it back, or"
-            << " start from another time" << exit(FatalError);
+            << " remove this time's folder and start from the time before" << exit(FatalError);
     }
     IFstream is(file);
     return dictionary(is);
@@ -200,9 +200,11 @@ static void refuseMissing(const Time& time, const word& latest)
     {
         FatalErrorInFunction
             << "Time " << time.timeName() << " has no particles (no file "
-            << time.timeName()/snapshotFile << "), but time " << latest << " has;"
-            << " start from that time, or remove the snapshots"
-            << " uniform/dem.snapshot of earlier times to begin with new particles"
+            << time.timeName()/snapshotFile << "), but time " << latest << " has. If the run was"
+            << " killed or the disk was full while it wrote time " << time.timeName()
+            << ", remove this time's folder" << (Pstream::parRun() ? "s processor*/" : " ")
+            << time.timeName() << " and start again from " << latest << "; to begin with new"
+            << " particles, remove the snapshots uniform/dem.snapshot of earlier times"
             << exit(FatalError);
     }
 }

@@ -110,12 +110,6 @@ void Foam::demWallEntries::checkOwn
         e.isDict() ? e.dict().getOrDefault<word>("type", "patch") : "patch"
     );
 
-    if (type != "patch" && e.dict().found("wear"))
-    {
-        FatalIOErrorInFunction(e.dict())
-            << "walls/" << e.keyword().c_str() << "/wear: a coupled run writes no wear, only the"
-            << " program dem does; take it out" << exit(FatalIOError);
-    }
     if (e.keyword().isPattern() || type == "patch")
     {
         refuseUnmatched
@@ -148,7 +142,7 @@ void Foam::demWallEntries::checkPatch(const dictionary& scene, const entry& e)
     (
         {
             "type", "material", "surfaceVelocity", "surfaceRotation", "absorb",
-            "frictionless", "temperature"
+            "frictionless", "temperature", "wear"
         }
     );
 
@@ -165,7 +159,7 @@ void Foam::demWallEntries::checkPatch(const dictionary& scene, const entry& e)
             FatalIOErrorInFunction(wall)
                 << where.c_str() << " is made from a patch; such a wall has the"
                 << " position of the mesh, a material, surfaceVelocity,"
-                << " surfaceRotation, absorb, frictionless and temperature, nothing else. Take"
+                << " surfaceRotation, absorb, frictionless, temperature and wear, nothing else. Take"
                 << " out " << key << exit(FatalIOError);
         }
     }

@@ -321,7 +321,7 @@ static int write_vtk(const struct dem_output *o, const struct dem_program *prog,
     DEM_TRY(write_particles(o, prog, d, file));
     DEM_TRY(dem_program_agree(prog, prog->rank == 0 ? dem_vtk_collection_add(path, time, file)
                                                     : DEM_OK));
-    DEM_TRY(dem_walls_vtk_write(o, prog, d, number, time));
+    DEM_TRY(dem_walls_vtk_write(o, d, number, time));
     if (!dem_has_bonds(d))
     {
         return DEM_OK;

@@ -176,7 +176,7 @@ static int begin(struct run_state *c)
     DEM_TRY(dem_run_tables_begin(&c->tables, c->prog, o, c->d));
     dem_run_announce_device(c->prog, c->d);
     tell_stages(c);
-    DEM_TRY(dem_walls_vtk_begin(o, c->prog, c->d));
+    DEM_TRY(dem_walls_vtk_begin(o, c->d));
     if (start == 0.0)
     {
         DEM_TRY(dem_output_write(o, c->prog, c->d, 0, 0.0));

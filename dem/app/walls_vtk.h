@@ -10,9 +10,8 @@
 #include "app/output_files.h"
 
 /* Collective, before the first output. Write walls.vtp, when no wall moves. */
-int dem_walls_vtk_begin(const struct dem_output *, const struct dem_program *, struct dem *);
+int dem_walls_vtk_begin(const struct dem_output *, struct dem *);
 
 /* Collective, at each output: write walls_NNNNNN.vtp and its entry in walls.pvd, when a wall
    moves. */
-int dem_walls_vtk_write(const struct dem_output *, const struct dem_program *, struct dem *,
-                        int64_t number, double time);
+int dem_walls_vtk_write(const struct dem_output *, struct dem *, int64_t number, double time);

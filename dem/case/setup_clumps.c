@@ -45,9 +45,8 @@ static int refuse_effects(const struct dem_interaction_table *r)
                     "shapes: effects/%s acts on single spheres; on clumps act gravity, laws of drag and "
                     "heat transfer, pressureGradient, viscousStress and viscousTorque; leave out one of the two",
                     e->name);
-        /* a spring against rolling is not bounded by the inertia of one sphere */
-        DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || (e->mechanism == DEM_MECHANISM_ROLLING && e->history),
-                    DEM_ERROR_INPUT,
+        /* springs are not bounded by the inertia of one sphere */
+        DEM_REQUIRE(e->stage != DEM_STAGE_MOMENT || e->history, DEM_ERROR_INPUT,
                     "shapes: effects/%s resists the rotation of single spheres and is wrong for clumps, whose "
                     "form resists rolling; leave it out, or take rollingSpring", e->name);
         DEM_REQUIRE(e->stage != DEM_STAGE_SCALAR || !e->reach, DEM_ERROR_INPUT,

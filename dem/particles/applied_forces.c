@@ -74,10 +74,6 @@ int dem_applied_forces_ask(struct dem_applied_forces *a, const struct dem_partic
     struct dem_program_forces *const g = &a->program;
     struct dem_view view;
 
-    if (!g->add)
-    {
-        return DEM_OK;
-    }
     DEM_TRY(DEM_GROW(g->force, g->capacity, 3*p->n + 1));
     DEM_TRY(DEM_GROW(g->torque, g->torque_capacity, 3*p->n + 1));
     memset(g->force, 0, 3*p->n*sizeof *g->force);

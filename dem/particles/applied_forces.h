@@ -52,7 +52,7 @@ static inline int dem_applied_forces_exist(const struct dem_applied_forces *a)
     return a->n > 0 || a->program.add;
 }
 
-/* Ask the program for its forces at this time [s]; period: of dem_view. */
+/* Ask the program, which gives forces, for them at this time [s]; period: of dem_view. */
 int dem_applied_forces_ask(struct dem_applied_forces *, const struct dem_particles *,
                            const double period[3], double time);
 

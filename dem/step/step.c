@@ -310,8 +310,9 @@ static int sample_averages(struct dem_state *state, int status)
 
 int dem_step_ask_for_forces(struct dem_state *state)
 {
-    return dem_applied_forces_ask(&state->applied_forces, &state->particles, state->domain.length,
-                                  state->time);
+    return state->applied_forces.program.add
+               ? dem_applied_forces_ask(&state->applied_forces, &state->particles, state->domain.length, state->time)
+               : DEM_OK;
 }
 
 /* ---- the step -------------------------------------------------------------------------------- */

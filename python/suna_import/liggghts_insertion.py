@@ -189,7 +189,7 @@ class Insertion:
     all_in: bool = False
     tries: int = 50                 # maxattempt: trials for each sphere of a packing
     off_border: bool = True         # a radius away from the faces of the box
-    limits: numpy.ndarray = None    # of periodic axes: low, high; infinite for others
+    limits: numpy.ndarray = None    # of the domain, low and high; infinite where it grows
     temperature: float = 0.0        # K; 0: as in fix heat/gran
     scalars: str = ""               # entries of particle scalars
     orientation: str = " orientation (1 0 0 0);"        # of clumps
@@ -251,8 +251,8 @@ class Insertion:
         return found
 
     def shape(self):
-        """Entries of the region; spheres that may stick out have room for it, but not in walls, nor through
-        periodic faces."""
+        """Entries of the region; spheres that may stick out have room for it, but not in walls, nor outside
+        the domain."""
         if self.all_in or self.region.thickness() > 2*self.distribution.largest()*4:
             return self.region.entries()
         return self.region.entries(self.distribution.largest(), self.limits)

@@ -639,7 +639,7 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
                          ("mass_in_region 0.01", 0.01/2500/one)):
         has(translate(BASE.replace("particles_in_region 100", words))[0], f"count {round(count)};")
     thick = BASE.replace("all_in yes", "all_in no").replace("0.0005", "0.003").replace("in_region 100", "in_region 5")
-    has(translate(thick.replace("boundary m m m", "boundary p p m"))[0], "min (-0.01 -0.01 -0.003); max (0.01 0.01 0.053);")
+    has(translate(thick.replace("boundary m m m", "boundary p f m"))[0], "min (-0.01 -0.01 -0.003); max (0.01 0.01 0.053);")
     # v t + g t^2/2 = 1.405e-3 m of 0.05 m leave in 1e-3 s
     scene, _ = translate(BASE.replace("insert_every once", "insert_every 100 vel constant 0 0 -1"))
     rate = 100*(1e-4 + 9.81e-8/2*1.0)/0.05/1e-4

@@ -80,7 +80,8 @@ READERS = (suna.read_table, suna.read_vtp, suna.read_snapshot, lambda path: list
 def argument(name, odd):
     """A value for this argument; a duration is short, or refused."""
     value = random.choice(ODD if random.random() < odd else GOOD[name])
-    return 1e300 if name == "duration" and numpy.ndim(value) == 0 and value in LONG else value
+    return 1e300 if name == "duration" and not isinstance(value, list) and numpy.ndim(value) == 0 and value in LONG \
+        else value
 
 
 def arguments(names, odd):

@@ -33,6 +33,20 @@ sim.advance(0.02)
 found += [sim.hash, sim.energy["residual"], world.allreduce(len(sim)), list(ids)]
 
 
+# other diameters, walls that come and go, load of a wall, views
+sim.allow_diameters("glass", 5e-4, 1.5e-3)
+sim.add([[0.03, 0, 0.1], [-0.03, 0, 0.1]], [1.5e-3, 5e-4], "glass")
+sim.add_wall("lid", "glass", [[[-0.1, -0.1, 0.15], [0.1, -0.1, 0.15], [0, 0.1, 0.15]]])
+sim.wall("lid").motion = {"type": "servo", "force": 1e-3, "maxSpeed": 0.1, "axis": (0, 0, -1)}
+sim.advance(0.005)
+found += [sim.hash, *sim.wall("floor").force, sim.wall("lid").corners.sum()]
+sim.wall("lid").remove()
+with sim.view() as p:
+    count = world.allreduce(len(p))
+sim.advance(0.005)
+found += [sim.hash, count, sorted(sim.walls)]
+
+
 def fails(call, kind):
     """On the last rank with this exception, on others with a SunaError."""
     try:
@@ -56,6 +70,16 @@ fails(lambda: sim.advance(1e-3, until=fault), ZeroDivisionError)
 fails(lambda: sim.remove([5000]), suna.SunaError)
 fails(lambda: sim.change({"effects/dry/restitution": 2}), suna.SunaError)
 assert sim.hash == before
+sim.close()
+
+# scalars, different on each rank
+sim = suna.Simulation(SCENE, {"effects/conduction": "{}", "materials/glass/conductivity": 1,
+                              "materials/glass/heatCapacity": 800, "materials/steel/conductivity": 1,
+                              "materials/steel/heatCapacity": 800}, comm=world, energy=True)
+sim.set_scalar("temperature", 300 + 1e3*sim.position[:, 2])
+fails(lambda: sim.set_scalar("temperature", numpy.full(len(sim) + 2*(world.rank == world.size - 1), 300)), suna.SunaError)
+sim.advance(0.01)
+found += [sim.hash, sim.energy["edited"], sim.total("temperature")]
 sim.close()
 
 # clumps
