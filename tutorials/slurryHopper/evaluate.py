@@ -80,7 +80,7 @@ def walls(axis):
 def draw(runs):
     from style import GREY, OTHER, OURS, below, panels, save
 
-    folders = [path for path in side.times(runs["slurry"]) if round(float(path.name)/0.05) in (1, 2, 4, 6, 8)]
+    folders = [path for path in side.times(runs["slurry"]) if round(float(path.name)/0.01) in (5, 10, 20, 30, 40)]
     side.series(HERE/"hopper.png", runs["slurry"], folders, D, 3.2, walls, width=2.2*len(folders))
     figure, (axis,) = panels(1)
     for (name, run), colour in zip(runs.items(), (OURS, OTHER)):

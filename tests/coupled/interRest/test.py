@@ -1,6 +1,9 @@
 """Water and air in layers at rest stay at rest with particles across their surface, frozen and in a settled bed,
 whatever the void fraction: velocities of round-off, the pressure gradient in each cell is rho g.
 
+A bed of free grains that settled dry comes to rest in a viscous liquid: the liquid lifts its grains, they find their
+places, and nothing stirs the bed.
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from two_fluids import *
@@ -54,4 +57,17 @@ case.append("constant/demProperties", 'start { snapshot "settled.dem"; }\n')
 case.run("demInterFoam", "-settle", log="log.settle")
 case.sub("constant/demProperties", "^start .*", 'start { snapshot "settled.dem"; frozen yes; }\ntime { step 1e-3; }')
 claims("settled", case)
+
+case.sub("constant/demProperties", "frozen yes; }\ntime .*", "}")
+case.sub("constant/demProperties", "gidaspow", "mindlin { friction 0.3; } gidaspow")
+case.fluids((1000, 0.3), (1, 1e-2), tolerance=1e-13)
+case.controls(0.3, 1e-3, write=0.1, precision=17)
+claim_runs("free: runs", case, "demInterFoam")
+times = case.times()[-3:]
+grains = [math.sqrt(np.mean(np.sum(case.particles(time, "U")[:, 1:]**2, axis=1))) for time in times]
+fluids = [largest(case.field(f"{time}/U")) for time in times]
+claim("free: the grains rest (1e-6 m/s, root mean square)", grains[-1] < 1e-6, *grains)
+# what is left is the levelling of the surface
+claim("free: the fluids come to rest (1e-4 m/s and falling)",
+      fluids[-1] < 1e-4 and fluids[0] > fluids[1] > fluids[2], *fluids)
 finish()
