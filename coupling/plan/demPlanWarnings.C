@@ -164,6 +164,26 @@ void Foam::demPlan::ownWakeWarning(DynamicList<string>& warnings) const
 }
 
 
+// Particles that are too large for cells and kernel, as the first deposit found. Collective.
+void Foam::demPlan::overfullWarning(DynamicList<string>& warnings) const
+{
+    const label n = transfer_.limiter().nOverfull();
+    struct dem_scene_numbers now;
+    demCheck(dem_scene_numbers(particles_.core(), &now));
+
+    if (n)
+    {
+        warnings.append
+        (
+            "the particles leave less than minVoidFraction " + name(transfer_.minVoidFraction())
+          + " in " + name(n) + " cells, whose excess is moved to their neighbours: the largest, "
+          + name(now.max_diameter) + " m, are large for these cells; take kernel diffusion, with diameter "
+          + name(now.max_diameter) + " in coupling if sizes differ much, or larger cells"
+        );
+    }
+}
+
+
 // Files that the run, or decomposePar, does not read as the user expects
 void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
 {
@@ -210,6 +230,7 @@ void Foam::demPlan::warn(const volVectorField& U, struct ::dem_run_info& ahead) 
     timeSchemeWarning(own);
     openPatchWarning(own);
     ownWakeWarning(own);
+    overfullWarning(own);
     filesWarnings(own);
     List<const char*> sentences(own.size());
     const char* text = nullptr;

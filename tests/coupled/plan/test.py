@@ -176,6 +176,19 @@ claim("bed: minimum fluidisation at that void fraction (1 %)",
 claim("bed: what the kernel takes (%)", planned(log, " m:") == 14)
 claim("bed: and of which layer (m)", close(planned(log, "drag of a layer of"), 3e-3, 1e-6))
 
+# a sphere of 7 mm in cells of 2.2 mm, a kernel for 1 mm: 180 mm3 over pi^1.5 3^3 mm3 is 1.2 at its centre
+mixed = Case("mixed", "fixedBed")
+mixed.copy("hindered/constant/g", "constant/g")
+mixed.sub("constant/demProperties", r"(?s)bed \{.*?\}", "boulder { type list; positions ((5.5e-3 5.5e-3 1e-2)); diameter 7e-3; }")
+mixed.sub("constant/demProperties", "kernel  diffusion;", "kernel diffusion; diameter 1e-3;")
+mixed.run("blockMesh")
+claim("a sphere too large for cells and kernel is reported before the run",
+      re.search("less than minVoidFraction 0.2 in [0-9]+ cells, .* the largest, 0.007 m, .* diameter 0.007 in coupling",
+                mixed.run("demPimpleFoam", "-plan").log))
+mixed.sub("constant/demProperties", "diameter 1e-3;", "diameter 7e-3;")
+wide = mixed.run("demPimpleFoam", "-plan")
+claim("with the diameter that it names it is not", wide and "minVoidFraction" not in wide.log, *wide.log.splitlines()[-9:])
+
 # the same of a function object
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); plan yes; } }\n')
 before = files()
