@@ -1,4 +1,5 @@
-"""A coupled run whose particles' steps are made by an OpenCL device has the bits of the same run on the CPU.
+"""A coupled run whose particles' steps are made by an OpenCL device has the bits of the same run on the CPU, on one rank
+and on two.
 
 - Two groups of spheres in a liquid box, with gidaspow, pressureGradient and saffmanMei; own wake left out; a floor of
   triangles (the walls of the mesh): snapshot, fields, exchange in the log.
@@ -16,7 +17,7 @@ devices = subprocess.run(["dem", "run", "-device", "list"], capture_output=True,
 name = next((line.split("  (")[0] for line in devices.splitlines() if "driver" in line), None)
 
 
-def box(folder, device):
+def box(folder, device, ranks):
     """A box of 8 mm with walls; the device's entry."""
     case = Case(folder, source="shared")
     case.flow("(0 0 0)", "walls { type noSlip; }", "walls { type fixedFluxPressure; }")
@@ -30,21 +31,26 @@ def box(folder, device):
                     "velocity (0.05 0 -0.1); min (0.0002 0.0002 0.0002); max (0.0078 0.0078 0.0078); }",
                     "rho 1000; kernel diffusion; width 3; ownWake yes; record { interval 0.002; }",
                     f"walls {{ walls {{ material glass; }} }}\n{device}")
-    claim_runs(f"{folder}: runs", case)
+    if ranks > 1:
+        case.run("decomposePar")
+    claim_runs(f"{folder}: runs", case, ranks=ranks)
     return case
 
 
 if name is None:
     skip("steps on a device in a coupled run", devices.splitlines()[0] if devices else "no OpenCL")
 else:
-    cpu, device = box("cpu", ""), box("device", f'device "{name}";')
-    claim("the log names the device", device.found(rf"^Suna: device: {re.escape(name)}"))
-    claim("and the device makes steps", device.found(r"^    device +[1-9][0-9.]* %"))
-    last = cpu.times()[-1]
-    claim("same particles", snapshot_hash(cpu/last/"uniform/dem.snapshot")
-          == snapshot_hash(device/last/"uniform/dem.snapshot"))
-    for field in ("U", "p", "voidFraction"):
-        claim(f"same field {field}", agrees(cpu/last/field, device/last/field))
-    claim("same loads on walls", agrees(*(next(iter(sorted(c.path.glob("postProcessing/**/walls.csv"))))
-                                          for c in (cpu, device))))
+    for ranks, parts in (1, [""]), (2, ["processor0", "processor1"]):
+        cpu, device = box(f"cpu{ranks}", "", ranks), box(f"device{ranks}", f'device "{name}";', ranks)
+        on = f", ranks: {ranks}"
+        claim("the log names the device" + on, device.found(rf"^Suna: device: {re.escape(name)}"))
+        claim("and the device makes steps" + on, device.found(r"^    device +[1-9][0-9.]* %"))
+        last = cpu.times(parts[0] or ".")[-1]
+        claim("same particles" + on, snapshot_hash(cpu/parts[0]/last/"uniform/dem.snapshot")
+              == snapshot_hash(device/parts[0]/last/"uniform/dem.snapshot"))
+        for field in ("U", "p", "voidFraction"):
+            claim(f"same field {field}" + on,
+                  all([agrees(cpu/part/last/field, device/part/last/field) for part in parts]))
+        claim("same loads on walls" + on,
+              agrees(*(next(iter(sorted(c.path.glob("postProcessing/**/walls.csv")))) for c in (cpu, device))))
 finish()
