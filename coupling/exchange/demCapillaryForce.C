@@ -5,46 +5,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demCapillaryForce.H"
+#include "cellVector.H"
 #include "demColumns.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
 #include "fvcSnGrad.H"
-#include "surfaceInterpolationScheme.H"
+#include "halfCellMean.H"
 #include "surfaceTensionModel.H"
-
-// As cellVector.H: of flat faces the fluxes times half the way from cell to cell add up to the force
-Foam::tmp<Foam::vectorField> Foam::demCapillaryForce::gradient
-(
-    const surfaceScalarField& alphaGradient
-) const
-{
-    const fvMesh& mesh = particles_.mesh();
-    const labelUList& own = mesh.owner();
-    const labelUList& nei = mesh.neighbour();
-    const vectorField& c = mesh.cellCentres();
-    const vectorField& f = mesh.faceCentres();
-    tmp<vectorField> tsum(new vectorField(mesh.nCells(), Zero));
-    vectorField& sum = tsum.ref();
-
-    forAll(nei, facei)
-    {
-        sum[own[facei]] += (f[facei] - c[own[facei]])*alphaGradient[facei];
-        sum[nei[facei]] += (c[nei[facei]] - f[facei])*alphaGradient[facei];
-    }
-    forAll(alphaGradient.boundaryField(), patchi)
-    {
-        const scalarField& part = alphaGradient.boundaryField()[patchi];
-        const labelUList& cells = mesh.boundary()[patchi].faceCells();
-        const vectorField::subField centres(mesh.boundaryMesh()[patchi].faceCentres());
-
-        forAll(part, facei)
-        {
-            sum[cells[facei]] += (centres[facei] - c[cells[facei]])*part[facei];
-        }
-    }
-    sum /= mesh.V().field();
-    return tsum;
-}
-
 
 Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
 :
@@ -57,6 +23,7 @@ Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
         particles.mesh().findObject<surfaceTensionModel>(surfaceTensionModel::typeName)
     ),
     alpha_(nullptr),
+    warned_(false),
     onFaces_
     (
         IOobject
@@ -94,22 +61,43 @@ Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
 }
 
 
+void Foam::demCapillaryForce::warnOfStep()
+{
+    const scalar longest = 2*M_SQRT2*longestStep();
+
+    if (!warned_ && particles_.window() > longest)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "particles at the interface may jump off it: the step, " << particles_.window()
+            << " s, is longer than " << longest << " s, sqrt(m/(pi sigma)) of the lightest"
+            << " particle; use a smaller deltaT, or adjustTimeStep yes, which limits it" << endl;
+    }
+}
+
+
 void Foam::demCapillaryForce::toParticles()
 {
+    warnOfStep();
+
     const fvMesh& mesh = particles_.mesh();
     const surfaceScalarField alphaGradient(fvc::snGrad(*alpha_)*mesh.magSf());
-    const vectorField G(transfer_.sample<vector>(gradient(alphaGradient)()));
+    const vectorField gradient(cellVector::gather<scalar, vector>(alphaGradient)/mesh.V().field());
+    const vectorField G(transfer_.sample<vector>(gradient));
     const scalarField alpha(transfer_.sample(*alpha_));
     const scalarField sigma(transfer_.sample(tension_->sigma()()));
 
     forAll(G, i)
     {
-        const scalar size = mag(G[i]);
-        const scalar R = *dem_at(view_.radius, view_.stride, size_t(i));
-        const bool reached = mag(0.5 - alpha[i]) < R*size;
-        const vector tension(reached ? vector(-sigma[i]/size*G[i]) : vector::zero);
+        const scalar size = max(mag(G[i]), VSMALL);
+        const vector n(-G[i]/size);
+        const double* v = dem_at(view_.velocity, view_.stride, size_t(i));
+        const scalar rise = (vector(v[0], v[1], v[2]) - vectorAt(fluid_.velocity, i)) & n;
+        const scalar z = (0.5 - alpha[i])/size + particles_.window()*rise;
+        const bool reached = mag(z) < *dem_at(view_.radius, view_.stride, size_t(i));
+        const vector tension(reached ? vector(sigma[i]*n) : vector::zero);
 
-        fluid_.interface_distance[i] = reached ? (0.5 - alpha[i])/size : 0;
+        fluid_.interface_distance[i] = reached ? z : 0;
         for (direction d = 0; d < 3; d++)
         {
             fluid_.tension[3*i + d] = tension[d];
@@ -137,13 +125,7 @@ void Foam::demCapillaryForce::toParticles()
     );
     transfer_.deposit(pull, lambda.ref());
     lambda.correctBoundaryConditions();
-    onFaces_ =
-        surfaceInterpolationScheme<scalar>::interpolate
-        (
-            lambda,
-            1 - mesh.surfaceInterpolation::weights()
-        )
-       *alphaGradient;
+    onFaces_ = halfCellMean(lambda)*alphaGradient;
 }
 
 

@@ -8,7 +8,7 @@
  *   R       radius; s: radius of the contact line                  [m]
  *   z       height of the centre above the interface, along n      [m]
  *   n       unit normal of the interface, from phase 1 to phase 2  [1]
- *   p       angle of the contact line from the axis n              [1]
+ *   p       angle of the contact line from the pole in phase 1     [1]
  *   theta   contact angle, measured in phase 1                     [1]
  *
  * The interface meets the sphere at its contact angle and pulls along itself: the force of a contact

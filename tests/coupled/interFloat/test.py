@@ -4,6 +4,7 @@
   the contact line, -2 pi sigma R sin(p) sin(p + theta) with cos(p) = z/R, is its weight.
 - Below and above the surface the effect changes no bit of a sphere's path.
 - The liquid carries the load: momentum closes to round-off, and a sphere that floats at rest leaves the fluids at rest.
+- In water at the longest step a grain of glass comes to rest at the surface; a fixed step that is too long is told.
 - A case without surface tension is refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -27,10 +28,10 @@ def buoyancy(z):
     return (1 + 999*math.erfc(z/width)/2)*V*g
 
 
-def floats(name, effects, cells, spheres, coupling, end, kinds):
+def floats(name, effects, cells, spheres, coupling, end, kinds, liquid=(1000, 0.2), gas=(1, 1e-3)):
     case = TwoFluids(name)
     case.controls(end, 5e-4, write=end/4)
-    case.fluids((1000, 0.2), (1, 1e-3), sigma=sigma, tolerance=1e-11, correctors=2)
+    case.fluids(liquid, gas, sigma=sigma, tolerance=1e-11, correctors=2)
     case.box((0.024, 0.012, 0.024), cells, walls)
     case.fields(walls)
     case.alpha(lambda x: x[:, 2] < surface)
@@ -81,7 +82,23 @@ claim("load: a grain of 2500 kg/m3 floats", abs(z - surface) < R and abs(w) < 1e
 speed = largest(case.interior("U"))
 claim("load: the fluids rest (1 mm/s)", speed < 1e-3, speed)
 
-case.edit("system/controlDict", endTime=1e-3)
+# In water drag damps little, and a step of the right size must not make the grain jump
+case = floats("water", capillary, (12, 6, 12), {"grain": (0.0117, 0.0064, surface - R/2)}, "", 0.2, {"grain": 2500},
+              WATER, AIR)
+case.edit("system/controlDict", adjustTimeStep="yes", maxDeltaT=1, maxCo=10, maxParticleCo=100)
+claim_runs("water: runs", case, "demInterFoam")
+mass = 2500*V
+step, limit = 0.5*math.sqrt(mass/(2*math.pi*sigma)), case.numbers("^deltaT = (.*)$", "demInterFoam")[1:-1, 0].max()
+claim("water: the longest step is half of sqrt(m/(2 pi sigma))", close(limit, step, 0.05) and limit <= step*(1 + 1e-9),
+      limit, step)
+z, w = case.particles(case.times()[-1], "positions", "U")[0, [3, 6]]
+claim("water: a grain of glass floats at rest", abs(z - surface) < R/2 and abs(w) < 2e-3, (z - surface)/R, w)
+
+case.edit("system/controlDict", adjustTimeStep="no", deltaT=1.1*math.sqrt(mass/(math.pi*sigma)), endTime=0.01)
+case.run("demInterFoam")
+claim("water: a step that is too long is told", case.found("may jump off it: the step, .* is longer than", "demInterFoam"))
+
+case.edit("system/controlDict", endTime=1e-3, deltaT=5e-4)
 case.sub("constant/transportProperties", "^sigma .*", "sigma 0;")
 claim_refused("no surface tension", case, "capillaryForce ... sigma of ... is 0", "demInterFoam")
 finish()
