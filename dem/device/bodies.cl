@@ -7,6 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "particles/periodic_image.h"
 #include "particles/turn.h"
 
 /* Force and torque of the rows of a particle, in the order of partner ids; what they have dissipated,
@@ -59,9 +60,12 @@ static void dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
 }
 
 /* 1 when a force of the scene acts on a particle (particles/applied_forces.c). */
-static int dem_acts(global const struct dem_device_applied *f, global const long *ids, double time,
-                    double4 x, double4 rest)
+static int dem_acts(global const struct dem_device_applied *f, global const long *ids,
+                    constant struct dem_device_axes *axes, double time, double4 at, double4 rest)
 {
+    const double4 x = (double4)(dem_periodic_place(at.x, axes->min[0], axes->length[0]),
+                                dem_periodic_place(at.y, axes->min[1], axes->length[1]),
+                                dem_periodic_place(at.z, axes->min[2], axes->length[2]), 0.0);
     const long id = as_long(rest.y);
     uint from = f->first, to = f->end;
 
@@ -84,14 +88,14 @@ static int dem_acts(global const struct dem_device_applied *f, global const long
 /* The scene's forces on a particle, of all that act, to the row; torques [N m]. */
 static void dem_apply(constant struct dem_device_batch *b, uint s,
                       global const struct dem_device_applied *applied, global const long *ids,
-                      double4 x, double4 v, double4 rest, struct dem_body_row *r, double force[3],
+                      constant struct dem_device_axes *axes, double4 x, double4 v, double4 rest, struct dem_body_row *r, double force[3],
                       double torque[3])
 {
     const double time = b->window_start + (double)(b->first + (int64_t)s)*b->dt;
 
     for (uint k = 0; k < b->applied && v.w > 0.0; k++)
     {
-        const int acts = dem_acts(applied + k, ids, time, x, rest);
+        const int acts = dem_acts(applied + k, ids, axes, time, x, rest);
 
         for (int m = 0; acts && m < 3; m++)
         {
@@ -209,11 +213,11 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         (void)later;
 #endif
         BODIES(BODY_ARGUMENTS);
-        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_force, applied_torque);
+        dem_apply(b, s, applied, ids, axes, x, v, rest, &r, applied_force, applied_torque);
         dem_fluid_kick(columns, n, i, h, &r, &v, impulse);
 #else
         BODIES(BODY_ARGUMENTS);
-        dem_apply(b, s, applied, ids, x, v, rest, &r, applied_force, applied_torque);
+        dem_apply(b, s, applied, ids, axes, x, v, rest, &r, applied_force, applied_torque);
 
         const double step = h*v.w;
 

@@ -50,7 +50,8 @@ int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
     {
         min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
     }
-    d->makes_lists = state->decomposition.ranks == 1 && state->pairs.max_radius <= SIZE_RATIO*min && !turns_new_particles(state) &&
+    d->makes_lists = state->decomposition.ranks == 1 && state->pairs.max_radius <= SIZE_RATIO*min &&
+                     !turns_new_particles(state) &&
                      state->particles.n < UINT32_MAX/(size_t)d->classes;
     DEM_TRY(dem_device_begin_facets(d, &state->walls));
     DEM_TRY(put_drives(d, &state->walls));

@@ -176,14 +176,16 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
-        &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->triangles, &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
+        &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->triangles,
+        &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
         &d->rates, &d->applied, &d->ids,
         &d->candidate_start, &d->candidates, &a->near, &b->near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
         &d->before_columns, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
         &d->place, &d->first, &d->order, &d->row_first, &d->sums, &d->partner, &d->image,
-        &d->totals, &d->largest, &d->former_place, &a->partners, &a->start, &a->entry, &a->touch, &a->history,
+        &d->totals, &d->largest, &d->former_place,
+        &a->partners, &a->start, &a->entry, &a->touch, &a->history,
         &b->partners, &b->start, &b->entry, &b->touch, &b->history};
 
     return k < sizeof all/sizeof *all ? all[k] : NULL;

@@ -143,10 +143,11 @@ static int make_alone(struct dem_device *d, const struct dem_state *state,
 
 /* The same with several ranks, which agree in each step, so that all of them make the same ones. */
 static int make_together(struct dem_device *d, struct dem_state *state,
-                         const struct dem_device_batch *batch, uint32_t n, uint32_t *made, int status)
+                         const struct dem_device_batch *batch, uint32_t n, uint32_t *made)
 {
     float fastest[DEM_DEVICE_BATCH];
     double bound = (double)batch->start, largest = 0.0;
+    int status = DEM_OK;
 
     for (*made = 0; *made < n && bound <= (double)batch->limit[*made] && largest < INFINITY; ++*made)
     {
@@ -193,17 +194,10 @@ static int make_batch(struct dem_device *d, struct dem_state *state,
     memset(&d->seen, 0, sizeof d->seen);
     d->seen.overlap = batch.overlap;
     d->seen.event_step = UINT32_MAX;
-    int status = begin_batch(d, state, steps, &batch, p, n);
-
-    if (state->decomposition.ranks > 1)
-    {
-        status = make_together(d, state, &batch, *n, made, status);
-    }
-    else
-    {
-        status = status ? status : make_alone(d, state, &batch, *n, made);
-    }
-    DEM_TRY(status);
+    /* a rank that fails here may lack the limits by which all make the same steps */
+    DEM_TRY(dem_agree(state, begin_batch(d, state, steps, &batch, p, n)));
+    DEM_TRY(state->decomposition.ranks > 1 ? make_together(d, state, &batch, *n, made)
+                                           : make_alone(d, state, &batch, *n, made));
     p->rest = *n > 0 ? (double)batch.limit[*made < *n ? *made : *n - 1] : 0.0;
     return DEM_OK;
 }

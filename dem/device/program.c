@@ -338,8 +338,15 @@ static int add_facets(struct composer *c, const struct dem_interaction_table *ta
         dem_text_add(c->out, m > 0 ? ", %d" : " + %d", (int)kind[m]);
     }
     dem_text_add(c->out, "\n");
-    DEM_TRY(dem_device_has_facets(c->walls) ? dem_program_include_name(&c->texts, "device/facets.cl") : DEM_OK);
-    return dem_walls_count_triangles(c->walls) > 0 ? dem_program_include_name(&c->texts, "device/triangles.cl") : DEM_OK;
+    if (dem_device_has_facets(c->walls))
+    {
+        DEM_TRY(dem_program_include_name(&c->texts, "device/facets.cl"));
+    }
+    if (dem_walls_count_triangles(c->walls) > 0)
+    {
+        DEM_TRY(dem_program_include_name(&c->texts, "device/triangles.cl"));
+    }
+    return DEM_OK;
 }
 
 static int compose(struct composer *c, const struct dem_interaction_table *table,

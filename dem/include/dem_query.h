@@ -186,13 +186,14 @@ int dem_scalar_count(const struct dem *);
 void dem_scalar_info(const struct dem *, int k, struct dem_scalar_info *);
 int dem_scalar_index(const struct dem *, const char *name);
 
-/* The values of scalar k of the owned particles, in the order of dem_view, to be read or, between
-   two advances, written, past the energy balance. Valid until the next collective call. NULL for another number. All spheres of a
-   clump have one temperature: the one of its smallest id counts. */
+/* The values of scalar k of the owned particles, in the order of dem_view; NULL for another number.
+   Valid until the next collective call. The energy balance does not see what is written here; use
+   dem_set_scalar. All spheres of a clump have one temperature: the one of its smallest id counts. */
 double *dem_scalar(struct dem *, int k);
 
-/* Collective. Write the values of scalar k of the owned particles, in that order; the energy balance has the heat that
-   this supplies as its item `edited`. After an error all values are as before. */
+/* Collective. Write the values of scalar k of the owned particles, in that order, between two
+   advances; the energy balance has the heat that this supplies as its item `edited`. After an error
+   all values are as before. */
 int dem_set_scalar(struct dem *, int k, const double *values);
 
 /* Collective. The sum of C s over all particles, of scalar k with the capacity C: of the

@@ -44,7 +44,7 @@
     ROW(tenneti)                                                                                                      \
     ROW(hoelzer_sommerfeld)                                                                                           \
     ROW(viscous_stress)                                                                                               \
-    ROW(capillary_force)                                                                                         \
+    ROW(capillary_force)                                                                                              \
     ROW(virtual_mass)                                                                                                 \
     ROW(saffman_mei)                                                                                                  \
     ROW(magnus)                                                                                                       \

@@ -48,14 +48,18 @@ static int acts(const struct dem_applied_force *f, const double x[3], int64_t id
 }
 
 /* Add the forces of the scene; 1 if there are any. */
-static int add_scene(const struct dem_applied_forces *a, const double x[3], int64_t id, int64_t n, int material,
-                     double time, double force[3], double torque[3])
+static int add_scene(const struct dem_applied_forces *a, const struct dem_domain *d, const double x[3],
+                     int64_t id, int64_t n, int material, double time, double force[3],
+                     double torque[3])
 {
+    struct dem_particle centre = {.radius = 0.0};
     int any = 0;
 
+    memcpy(centre.x, x, sizeof centre.x);
+    dem_domain_wrap(d, &centre);
     for (int f = 0; f < a->n; f++)
     {
-        if (acts(&a->force[f], x, id, n, material, time))
+        if (acts(&a->force[f], centre.x, id, n, material, time))
         {
             any = 1;
             for (int k = 0; k < 3; k++)
@@ -84,8 +88,9 @@ int dem_applied_forces_ask(struct dem_applied_forces *a, const struct dem_partic
     return DEM_OK;
 }
 
-int dem_applied_forces_at(const struct dem_applied_forces *a, const struct dem_particles *all,
-                          size_t i, double time, double force[3], double torque[3])
+int dem_applied_forces_at(const struct dem_applied_forces *a, const struct dem_domain *d,
+                          const struct dem_particles *all, size_t i, double time, double force[3],
+                          double torque[3])
 {
     const struct dem_particle *const p = &all->record[i];
     const int moves = p->inverse_mass > 0.0 && !p->body;
@@ -96,17 +101,18 @@ int dem_applied_forces_at(const struct dem_applied_forces *a, const struct dem_p
         force[k] = any ? a->program.force[3*i + (size_t)k] : 0.0;
         torque[k] = any ? a->program.torque[3*i + (size_t)k] : 0.0;
     }
-    if (moves)
+    if (moves && a->n > 0)
     {
-        any |= add_scene(a, p->x, p->id, 1, p->material, time, force, torque);
+        any |= add_scene(a, d, p->x, p->id, 1, p->material, time, force, torque);
     }
     return any;
 }
 
-void dem_applied_forces_on_clump(const struct dem_applied_forces *a, const double x[3], int64_t id, int64_t spheres,
-                                 int material, double time, double force[3], double torque[3])
+void dem_applied_forces_on_clump(const struct dem_applied_forces *a, const struct dem_domain *d,
+                                 const double x[3], int64_t id, int64_t spheres, int material,
+                                 double time, double force[3], double torque[3])
 {
     memset(force, 0, 3*sizeof *force);
     memset(torque, 0, 3*sizeof *torque);
-    (void)add_scene(a, x, id, spheres, material, time, force, torque);
+    (void)add_scene(a, d, x, id, spheres, material, time, force, torque);
 }

@@ -3,13 +3,15 @@
  * a function of the program gives in each step (dem_set_force).
  *
  * A particle is chosen by all conditions that are given: its id, its material, a box in which its
- * centre is, and the time; a clump by the id of any of its spheres, and its centre. Nothing is stored with particles, so choice and force are the same on
- * any number of ranks and after a restart.
+ * centre is, and the time; a clump by the id of any of its spheres, and its centre. A centre that
+ * has crossed a periodic boundary since the last neighbor list is at its place inside. Nothing is
+ * stored with particles, so choice and force are the same on any number of ranks and after a restart.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #pragma once
 
+#include "particles/domain.h"
 #include "particles/particles.h"
 
 struct dem_applied_force
@@ -57,9 +59,11 @@ int dem_applied_forces_ask(struct dem_applied_forces *, const struct dem_particl
 
 /* Force [N] and torque [N m] on owned particle i at this time [s]; 0 if there is none. Frozen
    particles have none, nor spheres of clumps. */
-int dem_applied_forces_at(const struct dem_applied_forces *, const struct dem_particles *, size_t i,
-                          double time, double force[3], double torque[3]);
+int dem_applied_forces_at(const struct dem_applied_forces *, const struct dem_domain *,
+                          const struct dem_particles *, size_t i, double time, double force[3],
+                          double torque[3]);
 
 /* The same of the scene on a clump, at its centre x [m]; its spheres have the ids from `id` on. */
-void dem_applied_forces_on_clump(const struct dem_applied_forces *, const double x[3], int64_t id, int64_t spheres,
-                                 int material, double time, double force[3], double torque[3]);
+void dem_applied_forces_on_clump(const struct dem_applied_forces *, const struct dem_domain *,
+                                 const double x[3], int64_t id, int64_t spheres, int material,
+                                 double time, double force[3], double torque[3]);

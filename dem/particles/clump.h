@@ -56,7 +56,8 @@ struct dem_clumps
     size_t n;                    /* bodies */
     size_t *start;               /* of each in the next array, and the end */
     uint32_t *member;            /* particles in the order of their ids */
-    double (*contact)[8];        /* N, N m  force and torque of the contacts of each particle, 3 + 1 numbers each */
+    double (*contact)[8];        /* N, N m  force and torque of the contacts of each particle,
+                                    3 + 1 numbers each */
     struct dem_clump_applied *applied;    /* to each body; where forces of scene or program exist */
     uint32_t *place;             /* of each body: group times DEM_CLUMP_LANES, plus lane */
     size_t groups;               /* of bodies that move side by side */
@@ -64,7 +65,8 @@ struct dem_clumps
     struct dem_clump_slot *slot;
     int ahead;                   /* 1: the groups have moved, and the columns have not followed */
     double max_spin_square;      /* 1/s2  largest |w|^2 after the last drift */
-    size_t start_capacity, member_capacity, contact_capacity, applied_capacity, place_capacity, group_capacity, slot_capacity;
+    size_t start_capacity, member_capacity, contact_capacity, applied_capacity;
+    size_t place_capacity, group_capacity, slot_capacity;
     struct dem_clump_flow *flow; /* NULL: no fluid acts on them; clump_flow.h */
     struct dem_clump_heat *heat; /* NULL: they have no temperature; step/clump_heat.h */
 };
@@ -137,7 +139,8 @@ void dem_clumps_load(struct dem_clumps *, const struct dem_particles *);
 void dem_clumps_store(struct dem_clumps *, struct dem_particles *);
 
 /* The present state of a body, as of its first sphere; R r_k of its sphere k. */
-void dem_clumps_body(const struct dem_clumps *, size_t body, const struct dem_particles *, struct dem_clump *);
+void dem_clumps_body(const struct dem_clumps *, size_t body, const struct dem_particles *,
+                     struct dem_clump *);
 void dem_clumps_arm(const struct dem_clumps *, size_t body, size_t k, double arm[3]);
 
 /* 1 when no force moves the body: it is frozen. */

@@ -94,6 +94,9 @@ int dem_require_fluid(const struct dem *d)
     {
         return DEM_OK;
     }
+    DEM_REQUIRE(!(dem_interaction_table_needs(&d->state.interaction_table) & DEM_NEEDS_INTERFACE), DEM_ERROR_INPUT,
+                "an effect acts at the interface of two fluids, and there is no fluid; take that effect out, or run "
+                "the case in demInterFoam");
     DEM_REQUIRE(d->fluid_user->needs & DEM_NEEDS_FLUID, DEM_ERROR_INPUT,
                 "effects/%s has no viscosity, and there is no fluid; give effects/%s/viscosity, "
                 "add fluid { density; viscosity; velocity; } or run it in OpenFOAM",

@@ -1,6 +1,6 @@
 /*
- * wall_mass_warning.c -- free walls and hinges that are too light for the time step, before the run: the same limit as in a sweep
- * (step/wall_bodies.c), K dt^2 < 0.04 m, with the contacts that are to be expected:
+ * wall_mass_warning.c -- free walls and hinges that are too light for the time step, before the run.
+ * The limit is the one of a sweep (step/wall_bodies.c), K dt^2 < 0.04 m, with the expected contacts:
  *
  *   k_1 = p F_1/d,  F_1 = (p + 1) m_p v^2/(2 d),  d = v t_c/c      an impact of the largest particle on a wall at rest
  *   K = k_1 (m/(m + m_p))^((p - 1)/(p + 1))                        on the free wall, or, where that is more,

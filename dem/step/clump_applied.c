@@ -25,13 +25,14 @@ static void add(double contact[8], struct dem_clump_applied *sum, const double a
 
 /* At the centre: at the first sphere, with the moment that this lacks. */
 static void add_scene(struct dem_clumps *c, const struct dem_particles *p, const struct dem_applied_forces *forces,
-                      double time, size_t body, const struct dem_clump *b)
+                      const struct dem_domain *d, double time, size_t body, const struct dem_clump *b)
 {
     const size_t spheres = c->start[body + 1] - c->start[body], i = c->member[c->start[body]];
     const struct dem_particle *const first = &p->record[i];
     double force[3], torque[3], arm[3], moment[3];
 
-    dem_applied_forces_on_clump(forces, b->x, first->id, (int64_t)spheres, first->material, time, force, torque);
+    dem_applied_forces_on_clump(forces, d, b->x, first->id, (int64_t)spheres, first->material, time, force,
+                                torque);
     dem_clumps_arm(c, body, 0, arm);
     dem_vec_cross(arm, force, moment);
     for (int a = 0; a < 3; a++)
@@ -42,7 +43,7 @@ static void add_scene(struct dem_clumps *c, const struct dem_particles *p, const
 }
 
 void dem_clump_applied_add(struct dem_clumps *c, const struct dem_particles *p,
-                           const struct dem_applied_forces *forces, double time)
+                           const struct dem_applied_forces *forces, const struct dem_domain *d, double time)
 {
     for (size_t body = 0; body < c->n; body++)
     {
@@ -59,7 +60,7 @@ void dem_clump_applied_add(struct dem_clumps *c, const struct dem_particles *p,
         memcpy(sum->momentum, b.momentum, sizeof sum->momentum);
         if (forces->n > 0)
         {
-            add_scene(c, p, forces, time, body, &b);
+            add_scene(c, p, forces, d, time, body, &b);
         }
         for (size_t k = c->start[body]; k < c->start[body + 1] && forces->program.add; k++)
         {

@@ -19,7 +19,7 @@
 
 /* Before the kick: add the forces at this time [s] to those of the contacts. */
 void dem_clump_applied_add(struct dem_clumps *, const struct dem_particles *, const struct dem_applied_forces *,
-                           double time);
+                           const struct dem_domain *, double time);
 
 /* After the kick over h [s]: their work. */
 void dem_clump_applied_work(const struct dem_clumps *, const struct dem_particles *, struct dem_energy_balance *,

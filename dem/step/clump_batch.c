@@ -190,7 +190,7 @@ int dem_kick_clumps(struct dem_state *state, struct dem_particles *p, const stru
 
     if (s->applied)
     {
-        dem_clump_applied_add(c, p, s->applied, s->time);
+        dem_clump_applied_add(c, p, s->applied, s->domain, s->time);
     }
     if (c->flow && s->energy_balance)
     {

@@ -176,8 +176,8 @@ static void add_applied(struct applied *a, struct dem_body_batch *batch,
 
     for (int c = 0; c < rows; c++)
     {
-        a->any[c] = dem_applied_forces_at(s->applied, particles, first + (size_t)c, s->time,
-                                          a->force[c], a->torque[c]);
+        a->any[c] = dem_applied_forces_at(s->applied, s->domain, particles, first + (size_t)c,
+                                          s->time, a->force[c], a->torque[c]);
         memcpy(a->v[c], record[c].v, sizeof a->v[c]);
         memcpy(a->w[c], record[c].w, sizeof a->w[c]);
         batch->fx[c] += a->force[c][0];

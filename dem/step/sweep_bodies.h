@@ -33,6 +33,8 @@ struct dem_body_sweep    /* options of one sweep over all particles */
     const double *round;
     /* NULL: none */
     const struct dem_applied_forces *applied;
+    /* where they act */
+    const struct dem_domain *domain;
     /* s  time of the applied forces */
     double time;
     /* energy balance that sums the work; NULL: none */

@@ -126,12 +126,15 @@ def hold(t, name, word):
     """fix_modify integrate: a wall moved by force stops or starts here."""
     if word not in ("start", "stop"):
         t.refuse("known: start, stop", f"integrate {word}")
-    for mesh in t.meshes.values():
-        moved = [m for m in mesh.motions if m.name == name]
-        if moved and word == "stop" and moved[-1].end > t.time:
-            moved[-1].end = t.time if moved[-1].start < t.time else -math.inf
-        elif moved and word == "start" and moved[-1].end <= t.time:
-            mesh.motions.append(dataclasses.replace(moved[-1], start=t.time, end=math.inf))
+    moving = [(mesh, m) for mesh in t.meshes.values() for m in
+              [m for m in mesh.motions if m.name == name][-1:]]
+    if not moving:
+        t.refuse(f"no wall is moved by a fix {name}", f"integrate {word}")
+    for mesh, motion in moving:
+        if word == "stop" and motion.end > t.time:
+            motion.end = t.time if motion.start < t.time else -math.inf
+        elif word == "start" and motion.end <= t.time:
+            mesh.motions.append(dataclasses.replace(motion, start=t.time, end=math.inf))
     return f"the motion of the wall {word}s"
 
 

@@ -45,6 +45,9 @@ class Laws:
             self.refuse(base.place, "pair_style", "there are neither particles nor walls at a run")
         main = self.of_particles[0] if self.of_particles else names[0]
         common = self.laws_of(main, main)
+        if "rollingConstant" in common and any(t.shape for i in self.insertions for t in i.distribution.templates):
+            self.refuse(base.place, "rolling_friction cdt", "it is wrong for clumps, whose form resists rolling; "
+                        "leave it out, or take epsd or epsd2")
         if self.state["gravity"] is not None:
             g, place = self.state["gravity"]
             self.scene.add("effects", f"gravity {{ acceleration {vector(g)}; }}", place)

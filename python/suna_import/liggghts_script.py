@@ -177,7 +177,7 @@ class Script:
     def _reference(self, match):
         try:
             if match.group(2) is not None:
-                return written(self.evaluate(match.group(2)))
+                return written(self.evaluate(match.group(2)), 20)
             return self.text(match.group(1) or match.group(3))
         except Dynamic as error:
             self._fault(match.group(0), f"{error} is known only in a run of LIGGGHTS; write its "

@@ -59,9 +59,10 @@ def as_number(word, what="number"):
     return float(word)
 
 
-def written(value):
-    """A value as LIGGGHTS replaces a variable by it: 0.3/1.5e-6 is 200000, not 199999.99999999997."""
-    return f"{value:.15g}"
+def written(value, digits=15):
+    """A value as LIGGGHTS writes it in place of ${name}: 0.15456/1e-5 is 15456, not 15455.999999999998.
+    $(...) has 20 digits, so it stays below 15456."""
+    return f"{value:.{digits}g}"
 
 
 def as_whole(word, low=0, high=MOST):

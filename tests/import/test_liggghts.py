@@ -164,6 +164,8 @@ jump SELF again""").replace("run 1000", "run ${total}")
     # 0.0005/1e-6 is not quite whole: variables have 15 digits; run cuts off a fraction
     for steps in ("0.0005/1e-6", "500.9"):
         has(translate(BASE.replace("run 1000", f"variable n equal {steps}\nrun ${{n}}"))[0], "end 0.0005")
+    # 6.999999999999999: $() has 20 digits
+    has(translate(BASE.replace("run 1000", "run $(0.00007/1e-5)"))[0], "end 6e-06")
     refused(BASE.replace("run 1000", "label a\nvariable q equal 1\njump SELF a"), "endless loop")
     refused(BASE.replace("run 1000", 'if "$(ke) > 0" then "run 1"\nrun 10'), "$(ke)",
             "only in a run")
@@ -447,6 +449,8 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
     has(translate(BASE.replace(line + "\n", held) + "fix_modify cad integrate start\nrun 10\n", plate__stl=plate)[0],
         "motion { type servo; axis (0 0 1); force 5; maxSpeed 0.1; start 0.001; }")
     assert "motion" not in translate(BASE.replace(line + "\n", held), plate__stl=plate)[0]
+    refused(BASE.replace(line + "\n", held.replace("modify cad", "modify z0")), "no wall is moved by a fix z0",
+            plate__stl=plate)
     refused(BASE.replace(line + "\n", pressed.replace("ctrlPV force", "ctrlPV torque")), "hinge",
             plate__stl=plate)
     refused(BASE.replace(line + "\n", pressed.replace("vel_max 0.1 ", "")), "belong to it",
@@ -696,6 +700,10 @@ def clumps():
     refused(script.replace("ntry 100000", "inertia_tensor 1"), "mass and inertia of the spheres' union")
     both = script.replace(nut, f"{nut}\n{line.replace('pts', 'ball')}").replace("1 pts 1.0", "2 pts 0.5 ball 0.5")
     refused(both, "spheres and clumps in one distribution")
+    refused(script.replace("pair_style gran model hertz tangential history",
+                           "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
+                           "pair_style gran model hertz tangential history rolling_friction cdt"),
+            "rolling_friction cdt", "wrong for clumps")
 
 
 def placed():

@@ -146,6 +146,28 @@ static void pushed_rods(const char *what, const char *chosen, double first, doub
     dem_free(d);
 }
 
+/* A rod and a sphere cross a periodic boundary long before the next neighbor list. */
+static void across_a_boundary(void)
+{
+    struct dem *const d = world(world_text(
+        "materials { m { density %g; youngsModulus 1e7; } } effects { hooke { stiffness 1000; } }"
+        "shapes { rod { spheres ((-2e-3 0 0 1e-3) (0 0 0 1e-3) (2e-3 0 0 1e-3)); } }"
+        "domain { x (0 0.02); periodic (x); } insert {"
+        "a { type list; shape rod; orientation (1 0 0 0); velocity (0.1 0 0); positions ((0.01998 0 0)); }"
+        "b { type list; diameter 2e-3; velocity (0.1 0 0); positions ((0.01998 0.01 0)); } }"
+        "forces { f { min (0 -1 -1); max (0.02 1 1); force (0 0 1e-4); }"
+        "g { min (1e-2 -1 -1); max (1 1 1); torque (0 0 1e-9); } } time { step 1e-6; }", rho), 0, NULL);
+    const double m = mass(), v = 1e-7/m;
+
+    world_run(d, 1e-3);
+    TAP_NEAR(world_at(d, 0).v[2], v/3.0, 1e-12, "a box over the whole period holds a clump that crosses its end");
+    TAP_NEAR(world_at(d, 3).v[2], v, 1e-12, "it holds a sphere");
+    /* 200 kicks before the boundary, and the first half of one */
+    TAP_NEAR(world_at(d, 3).w[2], 1e-9*2e-4/(0.4*m*R*R), 1e-9*1e-6/(0.4*m*R*R),
+             "a box at its end loses the sphere there");
+    dem_free(d);
+}
+
 /* On the last sphere of the first rod. */
 static void lift(void *self, double time, const struct dem_view *view, double *force, double *torque)
 {
@@ -199,6 +221,7 @@ int main(void)
     pushed_rods("by an id of its spheres", "ids (5);", 0.0, 1.0, 0.0);
     pushed_rods("by several: once", "ids (0 2);", 1.0, 0.0, 0.0);
     pushed_rods("by its centre in a box", "min (-1e-3 -1e-3 -1); max (1e-3 1e-3 1);", 1.0, 0.0, 0.0);
+    across_a_boundary();
     program_on_clumps();
     clumps_in_fluid();
     driven();

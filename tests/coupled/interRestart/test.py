@@ -1,7 +1,8 @@
-"""A run of demInterFoam that continues from a written time has the bits of the uninterrupted run on the same ranks; two
-ranks agree with one to the tolerance of the linear solvers.
+"""A run of demInterFoam that continues from a written time has the bits of the uninterrupted run on
+the same ranks; two ranks agree with one to the tolerance of the linear solvers.
 
-A bed of free grains with gravity collapses with the water in which it lies; surface tension acts on those at its surface.
+A bed of free grains with gravity collapses with the water in which it lies.
+Surface tension acts on the grains at its surface.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -15,7 +16,8 @@ case.box((0.06, 0.02, 0.04), (18, 6, 12), walls)
 case.fields(walls)
 case.alpha(lambda x: (x[:, 0] < 0.02)*(x[:, 2] < 0.03))
 case.grains("grain { density 1500; youngsModulus 1e6; }",
-            "hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } gidaspow {} virtualMass {} capillaryForce { contactAngle 60; }",
+            "hertz {} dry { restitution 0.5; } mindlin { friction 0.3; } "
+            "gidaspow {} virtualMass {} capillaryForce { contactAngle 60; }",
             "grains { type random; diameter 2e-3; count 500; seed 3; min (0 0 0); max (0.02 0.02 0.025); }")
 
 
