@@ -28,11 +28,16 @@ Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
     (
         IOobject
         (
-            "dem:capillaryForce", particles.mesh().time().timeName(), particles.mesh(), IOobject::NO_READ
+            "dem:capillaryForce",
+            particles.mesh().time().timeName(),
+            particles.mesh(),
+            IOobject::NO_READ
         ),
         particles.mesh(),
         dimensionedScalar(dimPressure*dimLength, Zero)
-    )
+    ),
+    onParticles_(Zero),
+    onFrozen_(Zero)
 {
     const word effect(particles.dict().effectWith(DEM_TRAIT_INTERFACE));
 
@@ -104,8 +109,17 @@ void Foam::demCapillaryForce::toParticles()
         }
     }
 
-    force_.setSize(view_.n);
-    dem_fluid_interface_force(particles_.core(), reinterpret_cast<scalar*>(force_.begin()));
+    vectorField force(view_.n);
+    dem_fluid_interface_force(particles_.core(), reinterpret_cast<scalar*>(force.begin()));
+    onParticles_ = onFrozen_ = Zero;
+    forAll(force, i)
+    {
+        onParticles_ += force[i];
+        if (isFrozen(view_, i))
+        {
+            onFrozen_ += force[i];
+        }
+    }
     if (!particles_.react())
     {
         return;
@@ -114,7 +128,7 @@ void Foam::demCapillaryForce::toParticles()
     scalarField pull(view_.n);
     forAll(pull, i)
     {
-        pull[i] = -(force_[i] & G[i])/max(magSqr(G[i]), VSMALL);
+        pull[i] = -(force[i] & G[i])/max(magSqr(G[i]), VSMALL);
     }
     volScalarField lambda
     (

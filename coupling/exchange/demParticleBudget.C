@@ -164,10 +164,6 @@ void Foam::demParticleBudget::addParticles()
                 held +=
                     impulse(fluid_, i) + vectorAt(fluid_.carried_over_impulse, i)
                   - T*(V[i]*vectorAt(fluid_.pressure_gradient, i) - displaced);
-                if (exchange_.capillary())
-                {
-                    held += T*exchange_.capillary()->onParticles()[i];
-                }
             }
         }
         else
@@ -178,14 +174,17 @@ void Foam::demParticleBudget::addParticles()
         }
     }
 
+    if (exchange_.capillary() && particles_.react())
+    {
+        vector pull(exchange_.capillary()->onParticles());
+        held += T*exchange_.capillary()->onFrozen();
+        reduce(pull, sumOp<vector>());
+        budget_.gain("particleTension", T*pull);
+    }
     reduce(weight, sumOp<vector>());
     reduce(held, sumOp<vector>());
     reduce(height, sumOp<scalar>());
 
-    if (exchange_.capillary() && particles_.react())
-    {
-        budget_.gain("particleTension", T*gSum(exchange_.capillary()->onParticles()));
-    }
     budget_.gain("weight", weight);
     budget_.gain("held", -held);
     budget_.gain("walls", onWalls_ - wallImpulse());

@@ -159,8 +159,8 @@ void Foam::demWallEntries::checkPatch(const dictionary& scene, const entry& e)
             FatalIOErrorInFunction(wall)
                 << where.c_str() << " is made from a patch; such a wall has the"
                 << " position of the mesh, a material, surfaceVelocity,"
-                << " surfaceRotation, absorb, frictionless, temperature and wear, nothing else. Take"
-                << " out " << key << exit(FatalIOError);
+                << " surfaceRotation, absorb, frictionless, temperature and wear, nothing else."
+                << " Take out " << key << exit(FatalIOError);
         }
     }
 

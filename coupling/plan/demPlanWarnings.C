@@ -177,8 +177,9 @@ void Foam::demPlan::overfullWarning(DynamicList<string>& warnings) const
         (
             "the particles leave less than minVoidFraction " + name(transfer_.minVoidFraction())
           + " in " + name(n) + " cells, whose excess is moved to their neighbours: the largest, "
-          + name(now.max_diameter) + " m, are large for these cells; take kernel diffusion, with diameter "
-          + name(now.max_diameter) + " in coupling if sizes differ much, or larger cells"
+          + name(now.max_diameter) + " m, are too large for these cells; use kernel diffusion,"
+          + " with diameter " + name(now.max_diameter)
+          + " in coupling if sizes differ much, or larger cells"
         );
     }
 }

@@ -86,7 +86,7 @@ static void write_device(struct dem_text *t, const struct dem *d, int ranks)
     {
         dem_text_add(t, "    %s of its memory%s as a dense bed; its run time is not known before a run, "
                      "the time below is the CPU's\n", dem_text_bytes(bytes),
-                     ranks > 1 ? " a rank" : "");
+                     ranks > 1 ? " per rank" : "");
     }
 }
 

@@ -36,7 +36,8 @@ static const struct dem_entry *find(const struct dem_dict *d, const char *path, 
             char *end;
 
             d = dem_entry_item(found, strtoul(path, &end, 10));
-            path = *end == '/' ? end + 1 : *end ? path : NULL;
+            d = *end == '/' || !*end ? d : NULL;
+            path = !d ? path : *end ? end + 1 : NULL;
         }
     }
     *group = d;

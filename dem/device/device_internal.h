@@ -70,7 +70,7 @@ struct dem_device
                                            follows another one doubles them */
     double last_speed;                  /* m/s  largest of the last drift */
     double min_skin, max_skin;          /* m */
-    int list_steps;                     /* that lists are to last */
+    int list_steps;                     /* steps that lists are to last */
     struct dem_device_counts counts;
     struct dem_device_report seen;
     struct dem_device_frame *frame;     /* of the steps of a batch */
@@ -146,9 +146,9 @@ int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint3
 int dem_device_add_sums(struct dem_device *, struct dem_state *);
 int dem_device_has_wall_work(const struct dem_state *);
 
-/* device_ghosts.c: with several ranks. The ghosts of new lists of the host; in step s: send them, and agree
-   on errors and on the largest speed^2 [m2/s2] of all ranks, infinite after an event; what has been
-   received. */
+/* device_ghosts.c, with several ranks. put: which particles are sent and received with new lists. send: the
+   particles of step s to other ranks; all ranks agree on errors and on the largest speed^2 [m2/s2], infinite
+   after an event. receive: the ghosts to the device. */
 int dem_device_put_ghosts(struct dem_device *, const struct dem_halo *);
 int dem_device_send_ghosts(struct dem_device *, struct dem_state *, uint32_t s, int status,
                            double *fastest);

@@ -20,8 +20,9 @@
 enum
 {
     BED_ROWS = 8,      /* pairs a particle in a dense bed of equal spheres, with usual skins */
-    LIST_STEPS = 64,   /* that lists last at the present largest speed, if skins allow; */
-    LIST_STEPS_OF_HOST = 256    /* those with ghosts, which the host makes */
+    /* steps that lists last at the present largest speed, if skins allow */
+    LIST_STEPS = 64,            /* lists of the device */
+    LIST_STEPS_OF_HOST = 256    /* lists of the host, for several ranks: they cost more */
 };
 
 /* ---- open and close ---------------------------------------------------------------------------- */

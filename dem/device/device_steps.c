@@ -7,7 +7,7 @@
  * are all after it. Then displacements are measured, and lists are made anew if they are used up.
  *
  * With several ranks the host makes the lists, with ghosts, and in each step exchanges the data of ghosts
- * and sees to it that all ranks make the same steps (device_ghosts.c).
+ * and all ranks make the same steps (device_ghosts.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -177,7 +177,7 @@ static int begin_batch(struct dem_device *d, struct dem_state *state, const stru
 
     for (uint32_t s = 0; s < *n && state->decomposition.ranks > 1; s++)
     {
-        there.limit[s] = INFINITY;    /* the ranks see to it */
+        there.limit[s] = INFINITY;    /* make_together checks the limits, for all ranks at once */
     }
     DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof there, &there));
     DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof d->seen, &d->seen));

@@ -35,9 +35,9 @@ struct dem_opencl_memory
 /* The devices of this machine. DEM_ERROR_STATE with a sentence when there is none, or no OpenCL. */
 int dem_opencl_list(struct dem_opencl_info list[DEM_OPENCL_DEVICES], int *n);
 
-/* Open a device whose name or platform contains `wanted`, upper or lower case; "gpu": a GPU. The ranks of a
-   machine, from 0, take them in turn; fitting: how many there are. DEM_ERROR_STATE when there is none with
-   double precision. */
+/* Open a device whose name or platform contains `wanted`, upper or lower case; "gpu": a GPU. `rank`: number of this
+   rank on its machine, from 0; the ranks take the devices that fit in turn. `fitting`: number of these devices.
+   DEM_ERROR_STATE when none has double precision. */
 int dem_opencl_open(struct dem_opencl **, const char *wanted, int rank, int *fitting);
 void dem_opencl_close(struct dem_opencl *);
 const struct dem_opencl_info *dem_opencl_device(const struct dem_opencl *);

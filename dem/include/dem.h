@@ -217,7 +217,7 @@ void dem_set_progress(struct dem *, double seconds,
    3 each in the order of the view, 0 when it is called, which act in the kick of this step; forces in
    the view are contact forces of the step before. The result must depend on the particle, not on
    rank or index, for the same bits on any ranks. It may call only dem_at of the library. Forces on
-   frozen particles have no effect; those on a sphere of a clump act on the clump, at the centre of the
+   frozen particles have no effect. A force on a sphere of a clump acts on the clump, at the centre of the
    sphere. NULL ends it. Refused in coupled runs; with it the CPU makes the steps. */
 int dem_set_force(struct dem *,
                   void (*add)(void *self, double time, const struct dem_view *, double *force,
@@ -248,11 +248,12 @@ int dem_wall_move(struct dem *, const char *name, int64_t n, const double *trian
    particle that is moved keeps the history of contacts that it still has. One that is frozen
    comes to rest, or has the velocity and spin that are given with it.
 
-   Clumps are added, removed and moved whole. dem_add_clumps: the scene has a group or stream of this shape and
-   material, or of smaller ones, for which the time step is made; the spheres get ids that follow each other, `id`
-   the first one. dem_remove_particles wants all spheres of a clump. dem_set_particles moves a clump by the id of its
-   first sphere: position and velocity are of its centre. Particle scalars are set for each sphere; the temperature,
-   for all spheres of a clump the same. */
+   Clumps are added, removed and moved as a whole. dem_add_clumps: the scene needs a group or stream of clumps of this
+   material that are not larger, because the time step follows from them, and its spheres must have diameters that
+   occur there. The spheres get consecutive ids; `id` is the first one. dem_remove_particles needs the ids of all
+   spheres of a clump. dem_set_particles moves a clump by the id of its first sphere; position and velocity are those
+   of its centre of mass. Particle scalars are set sphere by sphere; all spheres of a clump get the same
+   temperature. */
 struct dem_particle_changes
 {
     const double *position, *velocity, *spin;  /* m, m/s, 1/s  3 each */

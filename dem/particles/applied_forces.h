@@ -4,7 +4,7 @@
  *
  * A particle is chosen by all conditions that are given: its id, its material, a box in which its
  * centre is, and the time; a clump by the id of any of its spheres, and its centre. A centre that
- * has crossed a periodic boundary since the last neighbor list is at its place inside. Nothing is
+ * has crossed a periodic boundary since the last neighbor list counts at its image in the box. Nothing is
  * stored with particles, so choice and force are the same on any number of ranks and after a restart.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later

@@ -74,8 +74,8 @@ static inline int dem_edit_moves(const struct dem_edit *e)
 int dem_edit_set_clump(const struct dem *, const struct dem_edit *, int64_t at, size_t i, struct dem_particle *,
                        struct dem_clump *);
 
-/* Collective. The run has the particles of the list, of clumps that are moved the first sphere, of those that go
-   all spheres. `status`: of the checks of this rank. */
+/* Collective. Check that the run has all particles of the list, and that a clump is named by its first sphere to be
+   moved, by all spheres to be removed. `status`: of the checks of this rank. */
 int dem_edit_require_present(struct dem *, const struct dem_edit *, int status);
 
 /* Collective. Make the edit, unless n is 0; frees the list. `status`: as above. */

@@ -13,7 +13,7 @@
 
 /* ---- to add ---------------------------------------------------------------------------------- */
 
-/* Sphere, density and step of the start hold for it. */
+/* The time step of the start is short enough for clumps of this shape and material. */
 static int check_shape(const struct dem *d, const struct dem_new_clump *given, const struct dem_clump_shape *s,
                        int material)
 {
@@ -25,7 +25,7 @@ static int check_shape(const struct dem *d, const struct dem_new_clump *given, c
     return DEM_OK;
 }
 
-/* The particle that dem_clump_source_make takes: of the whole clump. */
+/* Centre and motion of a clump, as dem_clump_source_make takes them. */
 static struct dem_particle whole(const struct dem_new_clump *given, int material, int64_t id)
 {
     struct dem_particle q = {.id = id, .material = (uint16_t)material,

@@ -10,8 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- particles to remove or to change -------------------------------------------------------- */
-
 static int remove_listed(struct dem *d, const struct dem_edit *e)
 {
     struct dem_particles *const p = &d->state.particles;
@@ -109,7 +107,6 @@ static int set_one(const struct dem *d, const struct dem_edit *e, int64_t at, st
                 DEM_ERROR_INPUT, "%s: particle %lld gets the velocity (%g %g %g) m/s; give one below "
                 "the speed of light", e->call, (long long)q->id, q->v[0], q->v[1], q->v[2]);
     DEM_TRY(dem_initial_particles_check_spin(e->call, q->w, q->radius));
-    DEM_TRY(check_scalar(d, e, q->id, at));
     dem_edit_set_vector(q->x, e->to->position, at);
     q->flags |= e->to->position ? DEM_PARTICLE_NEW : 0;
     return e->to->position ? dem_edit_place(d, e->call, q) : DEM_OK;
@@ -145,17 +142,22 @@ static int go_through(struct dem *d, const struct dem_edit *e, int write)
     for (size_t i = 0; i < p->n; i++)
     {
         const int whole = dem_edit_moves(e) && p->record[i].body;
-        const struct dem_edit_item *const l = dem_edit_find(e, whole ? p->record[i].body - 1 : p->record[i].id);
+        const struct dem_edit_item *const own = dem_edit_find(e, p->record[i].id),
+                                   *const l = whole ? dem_edit_find(e, p->record[i].body - 1) : own;
         struct dem_clump body = {.mass = 0.0};
         struct dem_particle q = p->record[i];
 
         DEM_TRY(l && whole ? dem_edit_set_clump(d, e, l->at, i, &q, &body) : DEM_OK);
         DEM_TRY(l && !whole ? set_one(d, e, l->at, &q) : DEM_OK);
+        DEM_TRY(own ? check_scalar(d, e, q.id, own->at) : DEM_OK);
         DEM_TRY(check_clump(d, e, &q));
         if (l && write)
         {
             p->record[i] = q;
-            set_scalar(p, e->to, i, l->at);
+        }
+        if (own && write)
+        {
+            set_scalar(p, e->to, i, own->at);
         }
         if (l && write && whole)
         {

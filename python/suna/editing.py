@@ -143,7 +143,7 @@ class Editing(Arrays):
         return ids
 
     def remove(self, ids: ArrayLike) -> None:
-        """Remove the particles that have these ids, of a clump all spheres. Collective."""
+        """Remove the particles that have these ids; a clump needs the ids of all its spheres. Collective."""
         listed = _ids(ids)
         with self._changing() as d:
             check(lib.dem_remove_particles(d, len(listed), ffi.from_buffer("int64_t[]", listed)))
@@ -153,7 +153,7 @@ class Editing(Arrays):
             frozen: ArrayLike | None = None, **scalars: ArrayLike) -> None:
         """Set quantities of the particles that have these ids, and particle scalars by their names
         (temperature=300): one value for all, or an array in the order of the ids, the same on all
-        ranks. The first sphere of a clump stands for the clump and its centre, but in particle scalars. Collective."""
+        ranks. The id of its first sphere moves a clump; particle scalars are set sphere by sphere. Collective."""
         listed = _ids(ids)
         n, new = len(listed), ffi.new("struct dem_particle_changes *")
         given = {name: numpy.ascontiguousarray(numbers(name, value, (n, 3))) for name, value in
@@ -164,14 +164,16 @@ class Editing(Arrays):
             kind = "int *" if name == "frozen" else "double *"
             setattr(new, name, ffi.cast(kind, array.ctypes.data))
         with self._changing() as d:
-            values = [self._scalar_values(d, name, value, n) for name, value in scalars.items()]
+            # in the first call all that the core may refuse: of scalars only the temperature, of clumps
+            names = sorted(scalars, key=lambda name: name != "temperature")
+            values = [self._scalar_values(d, name, scalars[name], n) for name in names]
             chosen = ffi.from_buffer("int64_t[]", listed)
-            check(lib.dem_set_particles(d, n, chosen, new))
-            for k, wanted in values:
-                one = ffi.new("struct dem_particle_changes *")
-                wanted = numpy.ascontiguousarray(wanted)
-                one.value, one.scalar = ffi.cast("double *", wanted.ctypes.data), k
-                check(lib.dem_set_particles(d, n, chosen, one))
+            for k, wanted in values or [(0, None)]:
+                if wanted is not None:
+                    wanted = numpy.ascontiguousarray(wanted)
+                    new.value, new.scalar = ffi.cast("double *", wanted.ctypes.data), k
+                check(lib.dem_set_particles(d, n, chosen, new))
+                new = ffi.new("struct dem_particle_changes *")
 
 
 def _ids(ids: ArrayLike) -> NDArray[numpy.int64]:

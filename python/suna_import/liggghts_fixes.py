@@ -126,7 +126,7 @@ def hold(t, name, word):
     """fix_modify integrate: a wall moved by force stops or starts here."""
     if word not in ("start", "stop"):
         t.refuse("known: start, stop", f"integrate {word}")
-    moving = [(mesh, m) for mesh in t.meshes.values() for m in
+    moving = [(mesh, m) for mesh in t.meshes.values() if name in t.fixes for m in
               [m for m in mesh.motions if m.name == name][-1:]]
     if not moving:
         t.refuse(f"no wall is moved by a fix {name}", f"integrate {word}")

@@ -74,7 +74,7 @@ def insertion(style):
         rest = words[:]
         i = Insertion(name, own, style, group, None, t.command.place, t.time)
         if t.box is not None:
-            free = numpy.array([axis[0] not in "pf" for axis in t.boundary])
+            free = numpy.transpose([[axis[k] not in "pf" for k in (0, -1)] for axis in t.boundary])
             i.limits = numpy.where(free, [[-math.inf], [math.inf]], numpy.transpose(t.box))
         while rest:
             key = rest.pop(0)

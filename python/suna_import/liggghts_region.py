@@ -128,7 +128,8 @@ class Region:
         least, most = ([-math.inf]*3, [math.inf]*3) if limits is None else limits
         if self.style == "block":
             low, high = self.bounds()
-            return f"min {vector(numpy.maximum(low - margin, least))}; max {vector(numpy.minimum(high + margin, most))};"
+            low, high = numpy.maximum(low - margin, least), numpy.minimum(high + margin, most)
+            return f"min {vector(low)}; max {vector(high)};"
         if self.style == "sphere":
             return f"sphere {{ centre {vector(n[:3])}; radius {text(n[3] + margin)}; }}"
         a, b, c = self._round()

@@ -45,7 +45,8 @@ def diameter():
 
 def water(path):
     """Fraction of water of each cell: z, y, x."""
-    return numpy.resize(results.field(path/"alpha.water"), cells()[::-1])
+    values = results.field(path/"alpha.water").ravel()       # one value if it is uniform
+    return values.reshape(cells()[::-1]) if values.size > 1 else numpy.full(cells()[::-1], values[0])
 
 
 def fronts(run):

@@ -4,6 +4,7 @@
   the contact line, -2 pi sigma R sin(p) sin(p + theta) with cos(p) = z/R, is its weight.
 - Below and above the surface the effect changes no bit of a sphere's path.
 - The liquid carries the load: momentum closes to round-off, and a sphere that floats at rest leaves the fluids at rest.
+- The surface pulls at a frozen sphere, too: momentum closes while another one sinks and the order of both changes.
 - In water at the longest step a grain of glass comes to rest at the surface; a fixed step that is too long is told.
 - A case without surface tension is refused.
 
@@ -81,6 +82,17 @@ z, w = case.particles(case.times()[-1], "positions", "U")[0, [3, 6]]
 claim("load: a grain of 2500 kg/m3 floats", abs(z - surface) < R and abs(w) < 1e-4, (z - surface)/R, w)
 speed = largest(case.interior("U"))
 claim("load: the fluids rest (1 mm/s)", speed < 1e-3, speed)
+
+# The surface holds a frozen sphere while another one sinks past its neighbors, so that the core sorts them anew
+case = floats("frozen", capillary, (12, 6, 12), {"grain": (0.0117, 0.0064, surface + 1.2*R)},
+              "record { interval 5e-4; budget yes; }", 0.2, {"grain": 9000})
+case.sub("constant/demProperties", "of_grain ", "held { type list; material grain; diameter "
+         f"{d}; frozen yes; positions ({vector((0.0163, 0.0064, surface - 0.3*R))}); }}\n    of_grain ")
+claim_runs("frozen: runs", case, "demInterFoam")
+table = case.table("postProcessing/dem/0/budget.csv")
+terms = max(largest(table[name]) for name in table if name.endswith(".pz"))
+claim("frozen: the other sphere has sunk", case.particles(case.times()[-1], "positions")[:, 3].min() < surface - 4*R)
+claim("frozen: rest.pz is 0 (1e-11 of the largest term)", largest(table["rest.pz"]) < 1e-11*terms, largest(table["rest.pz"]), terms)
 
 # In water drag damps little, and a step of the right size must not make the grain jump
 case = floats("water", capillary, (12, 6, 12), {"grain": (0.0117, 0.0064, surface - R/2)}, "", 0.2, {"grain": 2500},
