@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The entry of a path; NULL: there is none. `group`: its dictionary, NULL for a value; a number in the path chooses
-   one of a list of dictionaries. Groups on the way count as read. */
+/* The entry of a path; NULL: there is none. `group`: its dictionary, NULL for a value; a number in the path selects
+   a dictionary of a list, from 0. Groups on the way count as read. */
 static const struct dem_entry *find(const struct dem_dict *d, const char *path, const struct dem_dict **group)
 {
     const struct dem_entry *found = NULL;

@@ -88,8 +88,8 @@ static int dem_acts(global const struct dem_device_applied *f, global const long
 /* The scene's forces on a particle, of all that act, to the row; torques [N m]. */
 static void dem_apply(constant struct dem_device_batch *b, uint s,
                       global const struct dem_device_applied *applied, global const long *ids,
-                      constant struct dem_device_axes *axes, double4 x, double4 v, double4 rest, struct dem_body_row *r, double force[3],
-                      double torque[3])
+                      constant struct dem_device_axes *axes, double4 x, double4 v, double4 rest,
+                      struct dem_body_row *r, double force[3], double torque[3])
 {
     const double time = b->window_start + (double)(b->first + (int64_t)s)*b->dt;
 

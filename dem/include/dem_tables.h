@@ -114,9 +114,9 @@ int dem_averages(struct dem *, const char *folder);
    its entry for this time [s] in FOLDER/bonds.pvd. The folder must exist. */
 int dem_bonds_draw(struct dem *, const char *folder, const char *file, double time);
 
-/* Collective. Write the triangles of the walls that are there now, with their wear [m] if dem_walls_wear, 1 when
-   the wear of some wall is summed, in FOLDER/FILE, and its entry for this time [s], if it is not NaN, in
-   FOLDER/walls.pvd. The folder must exist. */
+/* Collective. Write the triangles of the walls that are present to FOLDER/FILE for ParaView, with the depth of
+   wear [m] if a wall wears, and an entry for this time [s] to FOLDER/walls.pvd, unless it is NaN. The folder
+   must exist. dem_walls_wear: 1 if a wall wears. */
 int dem_walls_draw(struct dem *, const char *folder, const char *file, double time);
 int dem_walls_wear(const struct dem *);
 

@@ -45,6 +45,7 @@ struct triangles    /* of all walls, on the first rank */
 static int gather(struct dem *d, int wall, int64_t done,
                   struct triangles *t, int64_t *n)
 {
+    const int first = d->state.decomposition.rank == 0;
     struct dem_wall_info facts;
 
     dem_wall_info(d, wall, &facts);
@@ -53,9 +54,9 @@ static int gather(struct dem *d, int wall, int64_t done,
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_wall_corners(d, wall, d->state.decomposition.rank == 0 ? t->corners + 9*done : NULL));
-    DEM_TRY(dem_walls_wear(d) ? dem_wall_wear(d, wall, d->state.decomposition.rank == 0 ? t->wear + done : NULL) : DEM_OK);
-    for (int64_t k = done; k < done + *n && d->state.decomposition.rank == 0; k++)
+    DEM_TRY(dem_wall_corners(d, wall, first ? t->corners + 9*done : NULL));
+    DEM_TRY(dem_walls_wear(d) ? dem_wall_wear(d, wall, first ? t->wear + done : NULL) : DEM_OK);
+    for (int64_t k = done; k < done + *n && first; k++)
     {
         t->wall[k] = wall;
         if (t->wear)
