@@ -214,7 +214,6 @@ void Foam::demExchange::toParticles(const demFlow& flow)
         capillary_().toParticles();
     }
 
-    // Slip factor
     for (size_t i = 0; i < fluid_.n; i++)
     {
         fluid_.slip_factor[i] =

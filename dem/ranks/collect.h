@@ -29,7 +29,7 @@ int dem_collect_status(const struct dem_decomposition *);
 /* An error of all ranks when one has failed. A rank that has failed itself keeps its status and message. */
 int dem_collect_agree(const struct dem_decomposition *, int status);
 
-/* The number of this rank among those of the same machine, from 0. */
+/* Number of this rank on its machine, from 0. */
 int dem_collect_machine_rank(const struct dem_decomposition *);
 
 /* ---- reductions ------------------------------------------------------------------------------ */

@@ -95,7 +95,6 @@ int dem_edit_add(struct dem *d, const struct dem_edit *e)
     for (size_t k = 0; k < e->add.n; k++)
     {
         const struct dem_particle *const q = &e->add.particle[k];
-
         const struct dem_clump *const body = q->body ? &e->add.clump[k] : NULL;
 
         if (p->decomposition.ranks > 1 &&

@@ -17,7 +17,7 @@
 #include "particles/clump.h"
 #include "records/energy_balance.h"
 
-/* Before the kick: add the forces at this time [s] to those of the contacts. */
+/* Before the kick: add the forces at this time [s] to the contact forces. */
 void dem_clump_applied_add(struct dem_clumps *, const struct dem_particles *, const struct dem_applied_forces *,
                            const struct dem_domain *, double time);
 

@@ -155,6 +155,10 @@ for solver in ("demPimpleFoam", "pimpleFoam"):
         claim(f"{name}: a restart has the bits of the uninterrupted run, {field}",
               lambda: agrees(straight/field, end/field))
 
+case.edit("system/controlDict", startTime=0)
+case.append("constant/demProperties", "walls { floor { material neutral; wear { coefficient 1e-4; hardness 1e9; } } }")
+claim_refused("moving box: wear of a patch is refused", case, "wear is summed on patches at rest only", "pimpleFoam")
+
 # ---- a mesh that moves through a shear layer at rest ------------------------------------------------
 # Fluid at x < 0.05 m moves along y. The mesh moves 0.01 m along x, and the layer stays where it is in space.
 
