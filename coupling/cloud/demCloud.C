@@ -158,6 +158,10 @@ Foam::demCloud::~demCloud()
 {
     const char* text = nullptr;
 
+    if (!profile_.stepped())
+    {
+        return;                 // a plan
+    }
     profile_.end(demProfile::FLUID);
     Info<< "Suna: time spent on fluid " << profile_.fluid()
         << " s, particles " << profile_.spent(demProfile::PARTICLES)

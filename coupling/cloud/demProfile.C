@@ -82,10 +82,6 @@ Foam::scalar Foam::demProfile::exchange() const
 
 void Foam::demProfile::report() const
 {
-    if (!steps_)
-    {
-        return;
-    }
     const scalarField spent(means(spent_));
     const scalarField processor(means(processor_));
     const scalar wall = sum(spent);

@@ -47,7 +47,7 @@ import results                      # noqa: E402
 
 frames = results.frames
 LAWS = ("wakao", "gunn", "ranzMarshall")
-OTHERS = {"wide": "bed of 100 x 100 mm", "fine": "cells of 6 mm"}      # by the names of runs
+OTHERS = {"wide": "bed of 150 x 150 x 120 mm", "fine": "cells of 6 mm"}      # by the names of runs
 G = 9.81                            # m/s2
 
 
