@@ -136,14 +136,14 @@ static int distribute(struct dem_case *c)
     DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles, NULL));
     DEM_TRY(dem_collect_agree(&p->decomposition, dem_halo_migrate(&p->halo, DEM_OK, &p->particles,
                                                                   &p->contacts)));
-    p->stale = 2;
+    p->neighbor_lists = DEM_LISTS_NONE;
     dem_walls_move(&p->walls, p->time, 0.0);
     if (c->load_path[0])
     {
         return read_contacts(c);
     }
     DEM_TRY(dem_neighbor_rebuild(p));
-    p->stale = 1;
+    p->neighbor_lists = DEM_LISTS_REBUILD;
     DEM_TRY(dem_collect_agree(&p->decomposition, dem_api_refuse_overlap(d)));
     DEM_TRY(dem_bond_pairs_mark(p, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));

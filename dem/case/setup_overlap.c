@@ -77,7 +77,7 @@ int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
 
     status = status ? status : restored;
     dem_backup_free(&backup);
-    p->stale = 2;
+    p->neighbor_lists = DEM_LISTS_NONE;
     p->limits.overlap = 0.0;
     dem_flows_restore(p->flows);
     p->lost_particles->n = losses;

@@ -115,8 +115,8 @@ static int read_scene(struct dem_case *c)
         DEM_TRY(dem_case_start_from(c, d->scene.snapshot));
         c->scene_start = 1;
     }
-    p->limits.limit = d->scene.max_overlap;
-    p->limits.max_speed = d->scene.max_speed;
+    p->limits.overlap_limit = d->scene.max_overlap;
+    p->limits.speed_limit = d->scene.max_speed;
     p->interaction_table.fluid_density =
         d->scene.fluid.given ? d->scene.fluid.density : c->fluid_density;
     DEM_TRY(decide_fluid(d));

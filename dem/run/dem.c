@@ -213,9 +213,9 @@ int dem_save(struct dem *d, const char *path)
     }
     DEM_TRY(write_snapshot(d, path, &s));
     /* A run that loads the file rebuilds its lists first and wraps positions then; the run that
-       wrote it does the same, so that both have the same bits. A state without lists (2) stays
+       wrote it does the same, so that both have the same bits. A state without lists stays
        without. */
-    p->stale = p->stale == 2 ? 2 : 1;
+    dem_request_rebuild(p);
     return DEM_OK;
 }
 
@@ -257,7 +257,7 @@ int dem_restore(struct dem *d, double *time)
     p->steps = p->backup.steps;
     p->time = *time = p->backup.time;
     p->limits.overlap = 0.0;
-    p->stale = 2;
+    p->neighbor_lists = DEM_LISTS_NONE;
     p->window.half_step_ahead = 0;
     dem_cell_restore(p);
     dem_stages_rewind(d);

@@ -158,12 +158,12 @@ static void finish(struct dem *d, struct dem_edit *e)
 /* Save what belongs to the contact rows, and drop these. */
 static int drop_rows(struct dem_state *p)
 {
-    if (p->stale < 2)
+    if (p->neighbor_lists != DEM_LISTS_NONE)
     {
         DEM_TRY(dem_wall_statistics_save_forces(p));
         DEM_TRY(dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet));
     }
-    p->stale = 2;
+    p->neighbor_lists = DEM_LISTS_NONE;
     p->particles.ghosts = 0;
     return DEM_OK;
 }

@@ -199,7 +199,7 @@ static int change_walls(struct dem *d)
     {
         return DEM_OK;
     }
-    p->stale = p->stale ? p->stale : 1;
+    dem_request_rebuild(p);
     dem_walls_move(&p->walls, p->time, 0.0);
     for (int k = 0; k < p->walls.walls; k++)
     {

@@ -100,7 +100,7 @@ void dem_bodies_begin_window(struct dem_particles *particles, const struct dem_e
     clear(particles, DEM_COLUMN_DRAG_IMPULSE);
     clear(particles, DEM_COLUMN_OTHER_IMPULSE);
     clear(particles, DEM_COLUMN_ANGULAR_IMPULSE);
-    clear(particles, DEM_COLUMN_DRAG_TIME);
+    clear(particles, DEM_COLUMN_DRAG_INTEGRAL);
     for (size_t i = 0; i < particles->n; i++)
     {
         dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
@@ -181,7 +181,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
         const double *const own = dem_column(particles, DEM_COLUMN_OWN_WAKE);
         const double law = own ? 1.0 + own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_DRAG] : 1.0;
         const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i],
-                     held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i],     /* B */
+                     held = dem_column(particles, DEM_COLUMN_DRAG_INTEGRAL)[i],     /* B */
                      slip = slip_at_start(particles, i),
                      drag = sqrt(J[0]*J[0] + J[1]*J[1] + J[2]*J[2]);
         const double inverse_mass = particles->record[i].inverse_mass;
@@ -193,7 +193,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
                      least = free/slip_factor;
 
         dem_column(particles, DEM_COLUMN_RESPONSE)[i] = law*(response > least ? response : least);
-        dem_column(particles, DEM_COLUMN_DRAG_FRACTION)[i] =
+        dem_column(particles, DEM_COLUMN_TRANSMITTED_FRACTION)[i] =
             free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
     }
     response_of_added_mass(particles, window);
