@@ -30,14 +30,14 @@ int dem_api_agree(const struct dem *d, int status)
     return dem_collect_agree(&d->state.decomposition, status);
 }
 
-int dem_api_gather(const struct dem_state *p, int status, size_t size, size_t n, const double *mine,
+int dem_api_gather(const struct dem_state *state, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number)
 {
     const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine,
                                           n, size*sizeof *mine};
     void *all;
 
-    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, number));
+    DEM_TRY(dem_collect_gather(&state->decomposition, status, &own, &all, number));
     *items = all;
     return DEM_OK;
 }

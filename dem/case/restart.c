@@ -84,35 +84,35 @@ static int write_text(const struct dem *d, struct dem_text *t)
 
 int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
 {
-    const struct dem_state *const p = &d->state;
+    const struct dem_state *const state = &d->state;
     struct dem_text t = {0};
 
     *s = (struct dem_snapshot_scene){.text = NULL};
     int status = write_text(d, &t);
 
-    dem_api_describe_motions(&p->walls, p->time, &t);
-    dem_wall_wear_describe(p, &t);
+    dem_api_describe_motions(&state->walls, state->time, &t);
+    dem_wall_wear_describe(state, &t);
     status = status ? status : t.status;
     s->tail.text = (int64_t)(t.n/8 + 1)*8;    /* ends in a zero */
-    s->tail.walls = p->walls.walls;
-    s->tail.next_id = d->next_id > p->flows->next_id ? d->next_id : p->flows->next_id;
+    s->tail.walls = state->walls.walls;
+    s->tail.next_id = d->next_id > state->flows->next_id ? d->next_id : state->flows->next_id;
     status = status ? status : DEM_NEW(s->text, s->tail.text);
     status = status ? status : DEM_NEW(s->wall, s->tail.walls + 1);
     if (!status && t.n > 0)
     {
         memcpy(s->text, t.text, t.n);
     }
-    for (int k = 0; k < p->walls.walls && !status; k++)
+    for (int k = 0; k < state->walls.walls && !status; k++)
     {
-        s->wall[k] = dem_snapshot_scene_wall(&p->walls, k);
+        s->wall[k] = dem_snapshot_scene_wall(&state->walls, k);
     }
     for (int k = 0; k < 3; k++)
     {
-        const int periodic = p->domain.periodic[k];
+        const int periodic = state->domain.periodic[k];
 
         s->tail.domain[k][0] = periodic;
-        s->tail.domain[k][1] = periodic ? p->domain.min[k] : 0.0;
-        s->tail.domain[k][2] = !periodic ? 0.0 : p->cell.active ? p->cell.first_max[k] : p->domain.max[k];
+        s->tail.domain[k][1] = periodic ? state->domain.min[k] : 0.0;
+        s->tail.domain[k][2] = !periodic ? 0.0 : state->cell.active ? state->cell.first_max[k] : state->domain.max[k];
     }
     dem_text_free(&t);
     return status;

@@ -11,18 +11,18 @@
 #include <math.h>
 
 /* `flags`: of particles with one of them only; 0: of all. */
-static int refuse(struct dem_state *p, double limit, unsigned flags)
+static int refuse(struct dem_state *state, double limit, unsigned flags)
 {
     struct dem_overlap pair, wall;
 
-    dem_totals_max_overlap(p, flags, &pair, &wall);
+    dem_totals_max_overlap(state, flags, &pair, &wall);
     DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
                 "start, the limit is %g; move it, place its group by \"inside walls;\", or raise "
                 "time/maxStartOverlap",
                 (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
-                p->walls.wall[wall.partner].name, wall.fraction, limit);
+                state->walls.wall[wall.partner].name, wall.fraction, limit);
     DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,
                 "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
                 "start, the limit is %g; move them apart, or raise time/maxStartOverlap",
@@ -57,33 +57,33 @@ static int refuse_other_walls(const struct dem_case *c)
 
 int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
 {
-    struct dem_state *const p = &d->state;
-    const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
-    const size_t losses = p->lost_particles->n, broke = p->bonds->n;
+    struct dem_state *const state = &d->state;
+    const int64_t rebuilds = state->rebuilds, prunes = state->prunes;
+    const size_t losses = state->lost_particles->n, broke = state->bonds->n;
     struct dem_backup backup = {.valid = 0};
 
-    dem_flows_backup(p->flows);
-    int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts,
-                                                  p->pairs.wall_facet));
+    dem_flows_backup(state->flows);
+    int status = dem_api_agree(d, dem_backup_save(&backup, &state->particles, &state->contacts,
+                                                  state->pairs.wall_facet));
 
     if (status)
     {
         dem_backup_free(&backup);
         return status;
     }
-    status = dem_neighbor_rebuild(p);
-    status = dem_collect_agree(&p->decomposition, status ? status : look(d));
-    const int restored = dem_backup_restore(&backup, &p->particles, &p->contacts);
+    status = dem_neighbor_rebuild(state);
+    status = dem_collect_agree(&state->decomposition, status ? status : look(d));
+    const int restored = dem_backup_restore(&backup, &state->particles, &state->contacts);
 
     status = status ? status : restored;
     dem_backup_free(&backup);
-    p->neighbor_lists = DEM_LISTS_NONE;
-    p->limits.overlap = 0.0;
-    dem_flows_restore(p->flows);
-    p->lost_particles->n = losses;
-    p->bonds->n = broke;
-    p->rebuilds = rebuilds;
-    p->prunes = prunes;
+    state->neighbor_lists = DEM_LISTS_NONE;
+    state->limits.overlap = 0.0;
+    dem_flows_restore(state->flows);
+    state->lost_particles->n = losses;
+    state->bonds->n = broke;
+    state->rebuilds = rebuilds;
+    state->prunes = prunes;
     return status;
 }
 

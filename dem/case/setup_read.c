@@ -100,24 +100,25 @@ static int enable_exchanges(struct dem_case *c)
 static int read_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
-    DEM_TRY(dem_scene_read_materials(d->dict, &p->interaction_table));
+    DEM_TRY(dem_scene_read_materials(d->dict, &state->interaction_table));
     dem_api_begin_walls(d);
     DEM_TRY(dem_api_add_mesh_walls(d));
-    DEM_TRY(dem_api_agree(d, dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain)));
+    DEM_TRY(dem_api_agree(d, dem_scene_read(&d->scene, d->dict, &state->interaction_table,
+                                            &state->walls, &state->domain)));
     DEM_TRY(dem_api_begin_bodies(d));
-    p->cell = d->scene.cell;
-    DEM_TRY(dem_scene_read_forces(d->dict, &p->interaction_table, &p->applied_forces));
+    state->cell = d->scene.cell;
+    DEM_TRY(dem_scene_read_forces(d->dict, &state->interaction_table, &state->applied_forces));
     DEM_TRY(dem_api_assign_patches(d));
     if (d->scene.snapshot && !c->load_path[0])
     {
         DEM_TRY(dem_case_start_from(c, d->scene.snapshot));
         c->scene_start = 1;
     }
-    p->limits.overlap_limit = d->scene.max_overlap;
-    p->limits.speed_limit = d->scene.max_speed;
-    p->interaction_table.fluid_density =
+    state->limits.overlap_limit = d->scene.max_overlap;
+    state->limits.speed_limit = d->scene.max_speed;
+    state->interaction_table.fluid_density =
         d->scene.fluid.given ? d->scene.fluid.density : c->fluid_density;
     DEM_TRY(decide_fluid(d));
     DEM_TRY(enable_exchanges(c));

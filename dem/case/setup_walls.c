@@ -12,19 +12,19 @@
 
 /* Collective. Hold all triangles of a wall from its first movement on. Wall neighbors keep their
    triangles and facets, which now have other indices. */
-static int follow(struct dem_state *p, int wall)
+static int follow(struct dem_state *state, int wall)
 {
-    struct dem_wall_search *const s = &p->pairs.wall_search;
+    struct dem_wall_search *const s = &state->pairs.wall_search;
 
-    if (p->decomposition.ranks == 1 || p->walls.wall[wall].follows_mesh)
+    if (state->decomposition.ranks == 1 || state->walls.wall[wall].follows_mesh)
     {
         return DEM_OK;
     }
-    dem_wall_search_use_indices(s, &p->walls);
-    DEM_TRY(dem_wall_store_follow(&p->wall_store, &p->walls, wall));
-    dem_wall_search_use_held(s, &p->walls);
-    return dem_collect_agree(&p->decomposition,
-                             dem_wall_search_prepare(s, &p->walls, s->radius));
+    dem_wall_search_use_indices(s, &state->walls);
+    DEM_TRY(dem_wall_store_follow(&state->wall_store, &state->walls, wall));
+    dem_wall_search_use_held(s, &state->walls);
+    return dem_collect_agree(&state->decomposition,
+                             dem_wall_search_prepare(s, &state->walls, s->radius));
 }
 
 /* The original triangles stay; each call overwrites the moved ones. */

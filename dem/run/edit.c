@@ -117,17 +117,17 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
 /* With lists: refuse overlaps; the elastic energy. */
 static int look(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_state *const state = &d->state;
+    struct dem_energy_balance *const l = state->energy_balance;
 
     int status = dem_api_refuse_new_overlap(d);
 
     if (l->open)
     {
-        DEM_TRY(dem_collect_agree(&p->decomposition, status));
+        DEM_TRY(dem_collect_agree(&state->decomposition, status));
         l->sums_elastic = 1;
         l->begun = 0;
-        status = dem_sweep_contacts_and_bodies(p, 0.0, (const double[2]){p->time, p->time}, NULL);
+        status = dem_sweep_contacts_and_bodies(state, 0.0, (const double[2]){state->time, state->time}, NULL);
         l->begun = 1;
     }
     return status;
@@ -156,28 +156,28 @@ static void finish(struct dem *d, struct dem_edit *e)
 }
 
 /* Save what belongs to the contact rows, and drop these. */
-static int drop_rows(struct dem_state *p)
+static int drop_rows(struct dem_state *state)
 {
-    if (p->neighbor_lists != DEM_LISTS_NONE)
+    if (state->neighbor_lists != DEM_LISTS_NONE)
     {
-        DEM_TRY(dem_wall_statistics_save_forces(p));
-        DEM_TRY(dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet));
+        DEM_TRY(dem_wall_statistics_save_forces(state));
+        DEM_TRY(dem_contacts_save_history(&state->contacts, &state->particles, state->pairs.wall_facet));
     }
-    p->neighbor_lists = DEM_LISTS_NONE;
-    p->particles.ghosts = 0;
+    state->neighbor_lists = DEM_LISTS_NONE;
+    state->particles.ghosts = 0;
     return DEM_OK;
 }
 
 /* An edit after which the lists are built anew, on a copy of the state. */
 static int change_lists(struct dem *d, const struct dem_edit *e)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     struct dem_backup backup = {.valid = 0};
-    int status = drop_rows(p);
+    int status = drop_rows(state);
 
     status = dem_api_agree(d, status ? status
-                                     : dem_backup_save(&backup, &p->particles, &p->contacts,
-                                                       p->pairs.wall_facet));
+                                     : dem_backup_save(&backup, &state->particles, &state->contacts,
+                                                       state->pairs.wall_facet));
     if (!status)
     {
         status = dem_api_agree(d, e->change(d, e));
@@ -185,7 +185,7 @@ static int change_lists(struct dem *d, const struct dem_edit *e)
     }
     if (status && backup.valid)
     {
-        d->failed |= dem_backup_restore(&backup, &p->particles, &p->contacts) != DEM_OK;
+        d->failed |= dem_backup_restore(&backup, &state->particles, &state->contacts) != DEM_OK;
     }
     dem_backup_free(&backup);
     return status;
@@ -195,16 +195,16 @@ static int change_lists(struct dem *d, const struct dem_edit *e)
    are copied into it when lists are built. */
 static int apply(struct dem *d, struct dem_edit *e)
 {
-    struct dem_state *const p = &d->state;
-    const double before = p->energy_balance->open ? dem_energy_balance_total(p) : 0.0;
+    struct dem_state *const state = &d->state;
+    const double before = state->energy_balance->open ? dem_energy_balance_total(state) : 0.0;
     const int status = e->lists ? change_lists(d, e) : e->change(d, e);
 
     if (!status)
     {
         finish(d, e);
-        dem_energy_balance_edited(p, before);
+        dem_energy_balance_edited(state, before);
     }
-    const int renewed = p->backup.valid && e->lists ? dem_step_backup(p) : DEM_OK;
+    const int renewed = state->backup.valid && e->lists ? dem_step_backup(state) : DEM_OK;
 
     return status ? status : renewed;
 }

@@ -236,16 +236,16 @@ void dem_fluid_interface_force(const struct dem *d, double *force)
 
 double dem_fluid_relaxation(const struct dem *d)
 {
-    const struct dem_state *const p = &d->state;
-    const double *const drag_integral = dem_column(&p->particles, DEM_COLUMN_DRAG_INTEGRAL);
+    const struct dem_state *const state = &d->state;
+    const double *const drag_integral = dem_column(&state->particles, DEM_COLUMN_DRAG_INTEGRAL);
     double max = 0.0;
 
-    for (size_t i = 0; drag_integral && p->window.length > 0.0 && i < p->particles.n; i++)
+    for (size_t i = 0; drag_integral && state->window.length > 0.0 && i < state->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_particle *const r = &state->particles.record[i];
         /* B and mass of a sphere of a body are the same share of the body's */
         const double per_mass = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->body ? 1.0/r->mass : r->inverse_mass,
-                     rate = dem_exchange_rate(drag_integral[i], p->window.length, per_mass);
+                     rate = dem_exchange_rate(drag_integral[i], state->window.length, per_mass);
 
         max = rate > max ? rate : max;
     }
