@@ -104,7 +104,7 @@ static int tell(struct dem_case *of)
     {
         const int of_program = of->initial.n > 0 && k + 1 == c->groups;
 
-        DEM_TRY(dem_api_note(d, "restart: %s%s is new: its %lld particles are inserted now",
+        DEM_TRY(dem_sim_note(d, "restart: %s%s is new: its %lld particles are inserted now",
                              of_program ? "" : "insert/", c->group[k].name,
                              (long long)c->group[k].n));
     }
@@ -118,19 +118,19 @@ static int insert(struct dem_case *of)
     struct dem_initial_particles *const c = &d->scene.initial;
     const size_t present = state->particles.n;
 
-    DEM_TRY(dem_api_agree(d, list_present(d)));
+    DEM_TRY(dem_sim_agree(d, list_present(d)));
     c->next_id = d->next_id;
     dem_walls_move(&state->walls, state->time, 0.0);
     DEM_TRY(dem_insert_place(c, &d->scene.insertion, &state->interaction_table, &state->walls,
                              &state->decomposition));
-    DEM_TRY(dem_api_agree(d, dem_api_join_initial(of)));
-    DEM_TRY(dem_api_agree(d, refuse_present_ids(of, present)));
-    DEM_TRY(dem_api_agree(d, dem_api_store_initial(d, present)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_join_initial(of)));
+    DEM_TRY(dem_sim_agree(d, refuse_present_ids(of, present)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_store_initial(d, present)));
     begin_columns(d, present);
-    return dem_api_agree(d, tell(of));
+    return dem_sim_agree(d, tell(of));
 }
 
-int dem_api_insert_new_groups(struct dem_case *c)
+int dem_sim_insert_new_groups(struct dem_case *c)
 {
     struct dem *const d = c->d;
     const int64_t free_id = dem_flows_first_free_id(&d->state);

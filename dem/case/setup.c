@@ -84,12 +84,12 @@ static int prepare_physics(struct dem_case *c)
 
     if (c->load_path[0])
     {
-        DEM_TRY(dem_api_find_radii(d));
-        DEM_TRY(dem_api_agree(d, dem_api_add_radii(c)));
-        DEM_TRY(dem_api_finish_physics(d));
+        DEM_TRY(dem_sim_find_radii(d));
+        DEM_TRY(dem_sim_agree(d, dem_sim_add_radii(c)));
+        DEM_TRY(dem_sim_finish_physics(d));
     }
-    DEM_TRY(dem_api_insert_new_groups(c));
-    const double radius = dem_api_max_radius(d);
+    DEM_TRY(dem_sim_insert_new_groups(c));
+    const double radius = dem_sim_max_radius(d);
     double skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
     double max_skin = 2.0*radius;
 
@@ -114,7 +114,7 @@ static int read_contacts(struct dem_case *c)
 {
     struct dem_state *const state = &c->d->state;
     struct dem_snapshot_facets facets;
-    int status = dem_api_agree(c->d, dem_api_map_facets(c, &facets));
+    int status = dem_sim_agree(c->d, dem_sim_map_facets(c, &facets));
 
     status = status ? status
                     : dem_snapshot_read_contacts(c->load_path, &state->decomposition,
@@ -144,7 +144,7 @@ static int distribute(struct dem_case *c)
     }
     DEM_TRY(dem_neighbor_rebuild(state));
     state->neighbor_lists = DEM_LISTS_REBUILD;
-    DEM_TRY(dem_collect_agree(&state->decomposition, dem_api_refuse_overlap(d)));
+    DEM_TRY(dem_collect_agree(&state->decomposition, dem_sim_refuse_overlap(d)));
     DEM_TRY(dem_bond_pairs_mark(state, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts_and_sum(state, 0.0, (const double[2]){-INFINITY, state->time}));
     dem_sum_bond_energies(&state->particles, &state->contacts);
@@ -178,7 +178,7 @@ static int begin_energy_balance(struct dem_case *c)
         dem_energy_balance_begin(&d->state);
         return DEM_OK;
     }
-    return dem_api_with_lists(d, begin_energy);
+    return dem_sim_with_lists(d, begin_energy);
 }
 
 /* Sums of the averages when the snapshot was written. The snapshot of the scene's entry `start`
@@ -215,11 +215,11 @@ static int begin_averages(struct dem_case *c)
     {
         d->scene.average[k].comment = d->heading;
     }
-    DEM_TRY(dem_api_agree(d, dem_grid_averages_init(d->state.averages, d->scene.average,
+    DEM_TRY(dem_sim_agree(d, dem_grid_averages_init(d->state.averages, d->scene.average,
                                                     d->scene.averages,
                                                     &d->state.interaction_table, d->state.time,
                                                     d->state.decomposition.rank == 0)));
-    return dem_api_agree(d, resume_averages(c));
+    return dem_sim_agree(d, resume_averages(c));
 }
 
 /* Ranks read different parts of a snapshot, so one may fail alone. */
@@ -227,14 +227,14 @@ static int place_particles(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
-    DEM_TRY(dem_api_agree(d, dem_api_create_particles(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_create_particles(c)));
     dem_orientation_begin(&d->state.particles);
-    DEM_TRY(dem_api_agree(d, prepare_physics(c)));
-    DEM_TRY(dem_api_agree(d, dem_api_begin_clumps(d)));
-    DEM_TRY(dem_api_agree(d, dem_api_position_mesh_walls(d)));
+    DEM_TRY(dem_sim_agree(d, prepare_physics(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_begin_clumps(d)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_position_mesh_walls(d)));
     if (d->scene.fluid.given || !c->load_path[0])
     {
-        dem_api_init_fluid(d);
+        dem_sim_init_fluid(d);
     }
     if (has_energy_balance(c))
     {
@@ -242,14 +242,14 @@ static int place_particles(struct dem_case *c)
 
         status = status ? status
                         : dem_energy_balance_watch_walls(d->state.energy_balance, &d->state.walls);
-        DEM_TRY(dem_api_agree(d, status));
+        DEM_TRY(dem_sim_agree(d, status));
     }
-    DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
-    DEM_TRY(dem_api_agree(d, dem_api_resume_wear(c)));
-    DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
-    DEM_TRY(dem_api_agree(d, distribute(c)));
-    DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));
-    return dem_api_agree(d, dem_api_check_inserted(c));
+    DEM_TRY(dem_sim_agree(d, dem_wall_wear_begin(&d->state)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_resume_wear(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_begin_flows(c)));
+    DEM_TRY(dem_sim_agree(d, distribute(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_check_start(c)));
+    return dem_sim_agree(d, dem_sim_check_inserted(c));
 }
 
 /* The device of the scene, or a sentence why the CPU makes the steps. */
@@ -282,13 +282,13 @@ static int set_up(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
-    DEM_TRY(c->checked ? DEM_OK : dem_api_read_scene(c));
+    DEM_TRY(c->checked ? DEM_OK : dem_sim_read_scene(c));
     DEM_TRY(place_particles(c));
     DEM_TRY(dem_cell_refuse_fixed(&d->state));
     d->driven = dem_totals_any_driven(&d->state);
     if (has_energy_balance(c))
     {
-        DEM_TRY(dem_api_agree(d, begin_energy_balance(c)));
+        DEM_TRY(dem_sim_agree(d, begin_energy_balance(c)));
     }
     /* drag laws of the interrupted window take the fluid columns as loaded */
     if (d->state.window.half_step_ahead)

@@ -173,11 +173,11 @@ static int check_interface(const struct dem *d)
     return DEM_OK;
 }
 
-int dem_api_finish_physics(struct dem *d)
+int dem_sim_finish_physics(struct dem *d)
 {
     struct dem_state *const state = &d->state;
     int made_of[DEM_PARTNERS][DEM_MATERIALS] = {{0}};
-    const double radius = dem_api_max_radius(d);
+    const double radius = dem_sim_max_radius(d);
 
     for (int w = 0; w < state->walls.walls; w++)
     {
@@ -221,7 +221,7 @@ static int add_allowed(const struct dem_case *c)
 }
 
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
-int dem_api_add_radii(struct dem_case *c)
+int dem_sim_add_radii(struct dem_case *c)
 {
     struct dem *const d = c->d;
     struct dem_interaction_table *const r = &d->state.interaction_table;
@@ -263,12 +263,12 @@ static int check_bonds(const struct dem_case *c)
     return DEM_OK;
 }
 
-int dem_api_check_scene(struct dem_case *c)
+int dem_sim_check_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
     DEM_TRY(dem_dict_refuse_unread(d->dict));
-    DEM_TRY(dem_api_check_clumps(c));
+    DEM_TRY(dem_sim_check_clumps(c));
     DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
     if (c->load_path[0])
     {
@@ -276,5 +276,5 @@ int dem_api_check_scene(struct dem_case *c)
     }
     DEM_TRY(check_bonds(c));
     DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
-    return dem_api_add_radii(c);
+    return dem_sim_add_radii(c);
 }

@@ -101,7 +101,7 @@ static int check_width(const struct dem *d, const struct dem_clump_shape *s)
     return DEM_OK;
 }
 
-int dem_api_check_clumps(struct dem_case *c)
+int dem_sim_check_clumps(struct dem_case *c)
 {
     const struct dem_clump_shapes *const s = &c->d->scene.shapes;
 
@@ -170,7 +170,7 @@ static int begin_heat(struct dem *d)
 }
 
 /* Bodies of a snapshot come with their state, and need the column of it. */
-int dem_api_begin_clumps(struct dem *d)
+int dem_sim_begin_clumps(struct dem *d)
 {
     struct dem_state *const state = &d->state;
     const int column = dem_column(&state->particles, DEM_COLUMN_CLUMP) != NULL;

@@ -31,7 +31,7 @@ static int refuse(struct dem_state *state, double limit, unsigned flags)
     return DEM_OK;
 }
 
-int dem_api_refuse_overlap(struct dem *d)
+int dem_sim_refuse_overlap(struct dem *d)
 {
     return refuse(&d->state, d->scene.max_start_overlap, 0);
 }
@@ -55,7 +55,7 @@ static int refuse_other_walls(const struct dem_case *c)
     return DEM_OK;
 }
 
-int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
+int dem_sim_with_lists(struct dem *d, int (*look)(struct dem *))
 {
     struct dem_state *const state = &d->state;
     const int64_t rebuilds = state->rebuilds, prunes = state->prunes;
@@ -63,7 +63,7 @@ int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
     struct dem_backup backup = {.valid = 0};
 
     dem_flows_backup(state->flows);
-    int status = dem_api_agree(d, dem_backup_save(&backup, &state->particles, &state->contacts,
+    int status = dem_sim_agree(d, dem_backup_save(&backup, &state->particles, &state->contacts,
                                                   state->pairs.wall_facet));
 
     if (status)
@@ -92,12 +92,12 @@ static int measure_overlap(struct dem *d)
     return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
 }
 
-int dem_api_refuse_new_overlap(struct dem *d)
+int dem_sim_refuse_new_overlap(struct dem *d)
 {
     return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
 }
 
-int dem_api_check_inserted(struct dem_case *c)
+int dem_sim_check_inserted(struct dem_case *c)
 {
     struct dem_particles *const p = &c->d->state.particles;
 
@@ -105,7 +105,7 @@ int dem_api_check_inserted(struct dem_case *c)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_api_with_lists(c->d, dem_api_refuse_new_overlap));
+    DEM_TRY(dem_sim_with_lists(c->d, dem_sim_refuse_new_overlap));
     for (size_t i = 0; i < p->n; i++)
     {
         p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;
@@ -113,12 +113,12 @@ int dem_api_check_inserted(struct dem_case *c)
     return DEM_OK;
 }
 
-int dem_api_check_start(struct dem_case *c)
+int dem_sim_check_start(struct dem_case *c)
 {
     if (!c->new_run || c->d->state.walls.walls == 0)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_api_with_lists(c->d, measure_overlap));
+    DEM_TRY(dem_sim_with_lists(c->d, measure_overlap));
     return refuse_other_walls(c);
 }

@@ -49,7 +49,7 @@ static void find_bodies(const struct dem *d, double least[DEM_MATERIALS])
     }
 }
 
-int dem_api_find_radii(struct dem *d)
+int dem_sim_find_radii(struct dem *d)
 {
     struct dem_state *const state = &d->state;
     /* the smallest radii, the negative of the largest, the smallest bodies: one reduction */

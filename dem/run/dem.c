@@ -7,7 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/clock.h"
 #include "core/error.h"
@@ -48,7 +48,7 @@ static int check_fluid(const struct dem *d)
 {
     DEM_TRY(dem_require_fluid(d));
     DEM_TRY(check_weights(d));
-    DEM_TRY(d->coupled ? dem_api_agree(d, dem_api_require_fluid_scalars(d)) : DEM_OK);
+    DEM_TRY(d->coupled ? dem_sim_agree(d, dem_sim_require_fluid_scalars(d)) : DEM_OK);
     DEM_REQUIRE(!(d->coupled && d->driven), DEM_ERROR_INPUT,
                 "there are driven particles, which the balances of a coupled run do not know; make "
                 "them frozen, or let a wall move");
@@ -84,8 +84,8 @@ int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *tria
 {
     struct dem_mesh_wall *wall;
 
-    DEM_TRY(dem_api_copy_corners(d, "dem_wall_move", name, n, triangles, &wall));
-    return dem_api_move_wall(d, wall, 0);
+    DEM_TRY(dem_sim_copy_corners(d, "dem_wall_move", name, n, triangles, &wall));
+    return dem_sim_move_wall(d, wall, 0);
 }
 
 /* One window of equal steps, or the rest of one that was stopped. */
@@ -103,7 +103,7 @@ int dem_advance(struct dem *d, double duration)
 {
     fenv_t caller;
 
-    DEM_TRY(dem_api_require_sound(d, "dem_advance"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_advance"));
     DEM_REQUIRE(isgreater(duration, 0.0) && isfinite(duration), DEM_ERROR_INPUT,
                 "duration %g s; give a time above 0", duration);
     DEM_TRY(check_fluid(d));
@@ -158,7 +158,7 @@ static int add_scene(struct dem *d, struct dem_snapshot_scene *scene, struct dem
 {
     size_t capacity = (size_t)*n;
 
-    DEM_TRY(dem_api_describe_scene(d, scene));
+    DEM_TRY(dem_sim_describe_scene(d, scene));
     DEM_TRY(DEM_GROW(*span, capacity, (size_t)*n + DEM_SNAPSHOT_SCENE_SPANS));
     dem_snapshot_scene_spans(scene, *span + *n);
     *n += DEM_SNAPSHOT_SCENE_SPANS;
@@ -183,7 +183,7 @@ static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *
     {
         status = status ? status : add_scene(d, &scene, &span, &s->caller_data_count);
     }
-    status = dem_api_agree(d, status);
+    status = dem_sim_agree(d, status);
     s->caller_data = span;
     status = status ? status
                     : dem_snapshot_write(path, s, &state->decomposition, &state->interaction_table,
@@ -199,7 +199,7 @@ int dem_save(struct dem *d, const char *path)
     struct dem_state *const state = &d->state;
     struct dem_snapshot s = {.steps = state->steps, .time = state->time, .domain = &state->domain};
 
-    DEM_TRY(dem_api_require_sound(d, "dem_save"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_save"));
     memcpy(s.skin_tuning, &state->pairs.skins, sizeof state->pairs.skins);
     s.flows = state->flows->n;
     s.next_id = state->flows->next_id;
@@ -223,7 +223,7 @@ int dem_backup_every(struct dem *d, int64_t steps)
 {
     fenv_t caller;
 
-    DEM_TRY(dem_api_require_sound(d, "dem_backup_every"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_backup_every"));
     DEM_REQUIRE(steps >= 0, DEM_ERROR_INPUT, "backups every %lld steps; give a number above 0, or "
                 "0 for none", (long long)steps);
     d->state.backup.every = steps;

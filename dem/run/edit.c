@@ -23,7 +23,7 @@ int dem_edit_check_state(const struct dem *d, const char *call)
 {
     const struct dem_window *const w = &d->state.window;
 
-    DEM_TRY(dem_api_require_sound(d, call));
+    DEM_TRY(dem_sim_require_sound(d, call));
     DEM_REQUIRE(!d->coupled, DEM_ERROR_STATE,
                 "%s: the run is coupled with a fluid, which has to know of all particles; use "
                 "streams and outlets", call);
@@ -78,7 +78,7 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
     uint8_t *present = NULL;
     int64_t missing = -1, clumped[2] = {-1, -1};
 
-    DEM_TRY(dem_api_agree(d, status ? status : DEM_NEW(present, e->n + 1)));
+    DEM_TRY(dem_sim_agree(d, status ? status : DEM_NEW(present, e->n + 1)));
     for (size_t i = 0; i < d->state.particles.n; i++)
     {
         const struct dem_particle *const q = &d->state.particles.record[i];
@@ -109,7 +109,7 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
                                         "which moves as one body; %s", e->call, (long long)clumped[0],
                                         (long long)clumped[1], e->to ? "give the id of that one, for the whole clump"
                                                                      : "give the ids of all its spheres");
-    return dem_api_agree(d, status);
+    return dem_sim_agree(d, status);
 }
 
 /* ---- the edit -------------------------------------------------------------------------------- */
@@ -120,7 +120,7 @@ static int look(struct dem *d)
     struct dem_state *const state = &d->state;
     struct dem_energy_balance *const l = state->energy_balance;
 
-    int status = dem_api_refuse_new_overlap(d);
+    int status = dem_sim_refuse_new_overlap(d);
 
     if (l->open)
     {
@@ -144,7 +144,7 @@ static void finish(struct dem *d, struct dem_edit *e)
     }
     if (d->scene.fluid.given && e->lists)
     {
-        dem_api_init_fluid(d);
+        dem_sim_init_fluid(d);
     }
     d->driven = dem_totals_any_driven(&d->state);
     d->state.energy_balance->driven |= d->driven;
@@ -175,13 +175,13 @@ static int change_lists(struct dem *d, const struct dem_edit *e)
     struct dem_backup backup = {.valid = 0};
     int status = drop_rows(state);
 
-    status = dem_api_agree(d, status ? status
+    status = dem_sim_agree(d, status ? status
                                      : dem_backup_save(&backup, &state->particles, &state->contacts,
                                                        state->pairs.wall_facet));
     if (!status)
     {
-        status = dem_api_agree(d, e->change(d, e));
-        status = status ? status : dem_api_with_lists(d, look);
+        status = dem_sim_agree(d, e->change(d, e));
+        status = status ? status : dem_sim_with_lists(d, look);
     }
     if (status && backup.valid)
     {
@@ -214,7 +214,7 @@ int dem_edit_make(struct dem *d, struct dem_edit *e, int status)
     fenv_t caller;
 
     feholdexcept(&caller);
-    status = dem_api_agree(d, status);
+    status = dem_sim_agree(d, status);
     status = status || e->n == 0 ? status : apply(d, e);
     fesetenv(&caller);
     dem_memory_free(e->item);

@@ -124,7 +124,7 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_new_particle *n
     fenv_t caller;
     int status = dem_edit_check_state(d, e.call);
 
-    status = status ? status : dem_api_require_count(e.call, "particles", n);
+    status = status ? status : dem_sim_require_count(e.call, "particles", n);
     feholdexcept(&caller);
     status = status ? status : check_all_new(d, &e);
     fesetenv(&caller);

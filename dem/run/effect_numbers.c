@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/effect_numbers.h"
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_numbers.h"
 #include "laws/effects.h"
 #include "laws/fluid/drag.h"

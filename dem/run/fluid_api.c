@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/error.h"
 #include "laws/fluid/particle_exchange.h"
@@ -64,7 +64,7 @@ void dem_fluid_whole_drag(struct dem *d, int yes)
     d->state.interaction_table.bodies.whole_drag = yes;
 }
 
-int dem_api_require_fluid_scalars(const struct dem *d)
+int dem_sim_require_fluid_scalars(const struct dem *d)
 {
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     const struct dem_particles *const p = &d->state.particles;

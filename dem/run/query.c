@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_tables.h"
 #include "device/device_steps.h"
 #include "core/error.h"
@@ -253,7 +253,7 @@ const char *dem_broken_bond_cause(int cause)
 
 int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double time)
 {
-    return dem_api_agree(d, dem_bonds_write_lines(&d->state, d->heading, folder, file, time));
+    return dem_sim_agree(d, dem_bonds_write_lines(&d->state, d->heading, folder, file, time));
 }
 
 int dem_wall_impulse_reset(struct dem *d)

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/error.h"
 #include "records/energy_balance.h"
@@ -55,7 +55,7 @@ double *dem_scalar(struct dem *d, int k)
 
 static int check_values(const struct dem *d, int k, const double *values)
 {
-    DEM_TRY(dem_api_require_sound(d, "dem_set_scalar"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_set_scalar"));
     DEM_REQUIRE(is_scalar(d, k), DEM_ERROR_INPUT, "dem_set_scalar: there is no scalar %d", k);
     const struct dem_scalar *const s = d->state.interaction_table.scalar[k];
 
@@ -72,7 +72,7 @@ int dem_set_scalar(struct dem *d, int k, const double *values)
 {
     struct dem_state *const state = &d->state;
 
-    DEM_TRY(dem_api_agree(d, check_values(d, k, values)));
+    DEM_TRY(dem_sim_agree(d, check_values(d, k, values)));
     const double before = state->energy_balance->open ? dem_energy_balance_total(state) : 0.0;
 
     if (state->particles.n > 0)

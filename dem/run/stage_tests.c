@@ -11,7 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "case/stages.h"
 #include "core/error.h"
 #include "core/vec.h"
@@ -41,7 +41,7 @@ static double choose_part(const struct dem *d, const struct dem_run_stage *s)
     (void)dem_gravity_acceleration(d, g);
     const double lasting = s->until == DEM_UNTIL_LOAD ? s->lasting : s->quiet.lasting;
     const double fall = s->until == DEM_UNTIL_LOAD ? LOAD_STEPS*d->step
-                                                   : sqrt(2.0*dem_api_max_radius(d)/dem_vec_norm(g));
+                                                   : sqrt(2.0*dem_sim_max_radius(d)/dem_vec_norm(g));
     const double part = lasting > 0.0 ? 0.2*lasting : fall;
 
     return exp2(rint(log2(fmax(part, LEAST_STEPS*d->step))));
@@ -187,7 +187,7 @@ static int refuse_inside(struct dem *d)
     {
         state->walls.wall[k].absent -= state->walls.wall[k].came ? 0 : 2;
     }
-    return dem_api_agree(d, status);
+    return dem_sim_agree(d, status);
 }
 
 static int change_walls(struct dem *d)

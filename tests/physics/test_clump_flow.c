@@ -15,7 +15,7 @@
  */
 #include "physics/energy.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/vec.h"
 #include "input/dictionary.h"
 #include "particles/clump_flow.h"
