@@ -200,7 +200,7 @@ int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, 
 void dem_fluid_interface_force(const struct dem *d, double *force)
 {
     const struct dem_particles *const p = &d->state.particles;
-    const struct dem_effect_list *const bodies = &d->state.interaction_table.bodies;
+    const struct dem_effect_list *const effects = &d->state.interaction_table.bodies;
     const double *const tension = dem_column(p, DEM_COLUMN_TENSION),
                  *const distance = dem_column(p, DEM_COLUMN_INTERFACE_DISTANCE);
 
@@ -219,11 +219,11 @@ void dem_fluid_interface_force(const struct dem *d, double *force)
             b.tension_z[c] = tension[3*i + 2];
             b.interface_distance[c] = distance[i];
         }
-        for (int k = 0; k < bodies->entries; k++)
+        for (int k = 0; k < effects->entries; k++)
         {
-            if (bodies->entry[k].effect->needs & DEM_NEEDS_INTERFACE)
+            if (effects->entry[k].effect->needs & DEM_NEEDS_INTERFACE)
             {
-                bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &b);
+                effects->entry[k].effect->apply_to_bodies(effects->entry[k].settings, &b);
             }
         }
         for (int c = 0; c < rows; c++)

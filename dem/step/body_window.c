@@ -28,19 +28,19 @@
 
 /* prepare_bodies of all effects; on grains, where the particles are parcels. */
 static void prepare_effects(struct dem_body_batch *b, const struct dem_particles *particles,
-                            const struct dem_effect_list *bodies, size_t first, int rows)
+                            const struct dem_effect_list *effects, size_t first, int rows)
 {
     double ratio[DEM_BATCH_ROWS];
 
-    for (int c = 0; bodies->grains && c < DEM_BATCH_ROWS; c++)
+    for (int c = 0; effects->grains && c < DEM_BATCH_ROWS; c++)
     {
         const size_t i = first + (size_t)(c < rows ? c : 0);
 
-        ratio[c] = dem_scalar_values(particles, bodies->parcel_scalar)[i];
+        ratio[c] = dem_scalar_values(particles, effects->parcel_scalar)[i];
     }
-    for (int k = 0; k < bodies->entries; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        const struct dem_effect_entry *const e = &bodies->entry[k];
+        const struct dem_effect_entry *const e = &effects->entry[k];
 
         if (e->effect->prepare_bodies && e->grains)
         {
@@ -54,7 +54,7 @@ static void prepare_effects(struct dem_body_batch *b, const struct dem_particles
 }
 
 void dem_bodies_window_constants(struct dem_particles *particles,
-                                 const struct dem_effect_list *bodies)
+                                 const struct dem_effect_list *effects)
 {
     const int voidage = dem_column(particles, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL,
               added = dem_column(particles, DEM_COLUMN_ADDED_MASS) != NULL;
@@ -69,7 +69,7 @@ void dem_bodies_window_constants(struct dem_particles *particles,
         dem_body_batch_gather(&t, particles, first, rows, 0);
         dem_body_batch_gather_fluid(&t, particles, first, rows, 0.0);
         memset(t.batch.added_mass, 0, sizeof t.batch.added_mass);
-        prepare_effects(&t.batch, particles, bodies, first, rows);
+        prepare_effects(&t.batch, particles, effects, first, rows);
         if (voidage)
         {
             dem_body_batch_store_voidage_factors(&t, particles, first, rows);
@@ -90,13 +90,13 @@ static void clear(struct dem_particles *particles, enum dem_column_name column)
     }
 }
 
-void dem_bodies_begin_window(struct dem_particles *particles, const struct dem_effect_list *bodies)
+void dem_bodies_begin_window(struct dem_particles *particles, const struct dem_effect_list *effects)
 {
     if (!dem_column(particles, DEM_COLUMN_FLUID_VELOCITY))
     {
         return;
     }
-    dem_bodies_window_constants(particles, bodies);
+    dem_bodies_window_constants(particles, effects);
     clear(particles, DEM_COLUMN_DRAG_IMPULSE);
     clear(particles, DEM_COLUMN_OTHER_IMPULSE);
     clear(particles, DEM_COLUMN_ANGULAR_IMPULSE);

@@ -277,7 +277,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     if (s->energy_balance)
     {
         const struct dem_energy_balance_kick k = {
-            .bodies = pass->effects,
+            .effects = pass->effects,
             .batch = &work->batch,
             .j = {work->drag_impulse_x, work->drag_impulse_y, work->drag_impulse_z},
             .first = first,
