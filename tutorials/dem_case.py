@@ -142,14 +142,14 @@ def line_table(rows):
 
 
 def cross_table(rows):
-    """Quantities of the same places, quantities across unless they are more; references in parentheses."""
+    """Quantities of the same places, quantities across if they are fewer; references in parentheses."""
     cells = {}
     for row in rows:
         quantity = row["quantity"] + ("" if row["unit"] == "1" else f" [{row['unit']}]")
         reference = f" ({number_text(row['reference'])})" if float(row["reference"] or 0) else ""
         cells[row["where"], quantity] = value_text(row) + reference
     places, quantities = (list(dict.fromkeys(names)) for names in zip(*cells))
-    if len(quantities) > len(places):
+    if len(quantities) >= len(places):
         places, quantities = quantities, places
         cells = {(quantity, where): text for (where, quantity), text in cells.items()}
     head = "Suna (reference)" if any("(" in text for text in cells.values()) else ""
@@ -158,11 +158,11 @@ def cross_table(rows):
                         for place in places)])
 
 
-def table(path):
-    """result.csv as tables of results.md: one for quantities that share three places or more, a line each for
-    the other rows."""
+def table(path, pattern=".*"):
+    """The rows of a result.csv whose "quantity: where" matches, as tables of results.md: one for quantities that
+    share three places or more, a line each for the other rows."""
     with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = [row for row in csv.DictReader(file) if re.fullmatch(pattern, f"{row['quantity']}: {row['where']}")]
     places = {}
     for row in rows:
         places.setdefault(row["quantity"], []).append(row["where"])
@@ -176,16 +176,17 @@ def table(path):
 
 
 def store(text, *files, name="table", result="result.csv"):
-    """Keep files of this run in stored/, its result.csv under the name `result`, and put its table
-    into results.md where <!-- name --> is, if it is, under a line with the run and the machine."""
+    """Keep files of this run in stored/, its result.csv under the name `result`, and put its table into results.md
+    where <!-- name --> or <!-- name: PATTERN OF ROWS --> is, under a line with the run and the machine."""
     Path("stored").mkdir(exist_ok=True)
     shutil.copy("result.csv", Path("stored", result))
     for file in files:
         shutil.copy(file, "stored")
     page = Path("results.md")
-    before, found, rest = page.read_text().partition(f"<!-- {name} -->\n")
+    content = page.read_text()
+    found = re.search(rf"(<!-- {name}(?:: (.*?))? -->\n).*?(?=<!-- end -->)", content, re.DOTALL)
     if not found:
         print(f"results.md has no <!-- {name} -->: the table is not stored there")
         return
-    after = rest.partition("<!-- end -->")[2]
-    page.write_text(f"{before}{found}{text}:\n\n{table('result.csv')}\n<!-- end -->{after}")
+    new = f"{found[1]}{text}:\n\n{table('result.csv', found[2] or '.*')}\n"
+    page.write_text(content[:found.start()] + new + content[found.end():])

@@ -21,7 +21,7 @@ void Foam::demCloud::advance(const demFlow& flow)
     }
 
     // Else in correct()
-    if (!particlesFirst_ && (!particles_.twoWay() || particles_.interval() > 0))
+    if (!volumeAveraged_ && (!particles_.twoWay() || particles_.interval() > 0))
     {
         exchange_.updateAcceleration(flow.U);
     }
@@ -121,7 +121,7 @@ void Foam::demCloud::attempt(const std::function<void()>& part)
 Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 :
     mesh_(mesh),
-    particlesFirst_(volumeAveraged),
+    volumeAveraged_(volumeAveraged),
     particles_(mesh, volumeAveraged),
     volume_(particles_),
     exchange_(particles_, volume_, volumeAveraged),
@@ -270,7 +270,7 @@ void Foam::demCloud::write()
     numbers.add("relaxationRate", exchange_.relaxationRate());
     particles_.write(numbers);
 
-    volume_.field().write();
+    volume_.voidFraction().write();
     exchange_.write();
     reports_.write();
     profile_.end(demProfile::OUTPUT);

@@ -91,10 +91,10 @@ Foam::string Foam::demLastGood::writeAll(const std::function<void()>& write)
 }
 
 
-Foam::demLastGood::demLastGood(demParticles& particles, const bool particlesFirst)
+Foam::demLastGood::demLastGood(demParticles& particles, const bool volumeAveraged)
 :
     particles_(particles),
-    particlesFirst_(particlesFirst),
+    volumeAveraged_(volumeAveraged),
     on_(particles.dict().coupling().getOrDefault("lastGood", true)),
     steps_(-1)
 {}
@@ -128,7 +128,7 @@ Foam::string Foam::demLastGood::save(const std::function<void()>& write)
         return "; its last good state is the one that it started from";
     }
     return
-        particlesFirst_ && steps_ == particles_.totals().steps && !mesh.moving()
+        volumeAveraged_ && steps_ == particles_.totals().steps && !mesh.moving()
       ? writeAll(write)
       : writeParticles();
 }

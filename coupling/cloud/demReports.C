@@ -13,7 +13,7 @@
 void Foam::demReports::reportStep(const struct ::dem_totals& before)
 {
     const struct dem_totals& now = particles_.totals();
-    const scalarField& e = volume_.field();
+    const scalarField& e = volume_.voidFraction();
     const demOverpackingLimiter& limiter = particles_.transfer().limiter();
 
     Info<< "Suna: " << demInteger(now.particles).c_str() << " particles, "

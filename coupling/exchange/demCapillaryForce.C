@@ -41,7 +41,7 @@ Foam::demCapillaryForce::demCapillaryForce(const demParticles& particles)
 {
     const word effect(particles.dict().effectWith(DEM_TRAIT_INTERFACE));
 
-    if (!tension_ || (particles.twoWay() && !particles.volumeAveraged()))
+    if (!tension_ || (particles.twoWay() && !particles.displaceFluid()))
     {
         FatalErrorInFunction
             << "The effect " << effect << " acts at the interface of two fluids, which gets the"

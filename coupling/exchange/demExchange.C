@@ -147,7 +147,7 @@ Foam::demExchange::demExchange
 
 void Foam::demExchange::prepare()
 {
-    if (particles_.volumeAveraged() && !scheme_.wholeDrag())
+    if (particles_.displaceFluid() && !scheme_.wholeDrag())
     {
         dem_case_fluid_displaced(particles_.described(), particles_.densestFluid());
     }
@@ -169,7 +169,7 @@ void Foam::demExchange::begin()
     {
         capillary_.reset(new demCapillaryForce(particles_));
     }
-    if (particles_.volumeAveraged() && particles_.needsFluid())
+    if (particles_.displaceFluid() && particles_.needsFluid())
     {
         scheme_.checkEffects();
         dem_fluid_whole_drag(particles_.core(), scheme_.wholeDrag());
@@ -192,11 +192,11 @@ void Foam::demExchange::toParticles(const demFlow& flow)
     }
 
     toColumn(transfer_.sample(flow.U)(), fluid_.velocity);
-    toColumn(particles_.sample(flow.rho)(), fluid_.density);
+    const scalarField rho(particles_.sample(flow.rho));
+    toColumn(rho, fluid_.density);
     if (scheme_.wholeDrag())
     {
-        const vectorField hydrostatic(particles_.sample(flow.rho)()*particles_.gravity());
-        toColumn(hydrostatic, fluid_.pressure_gradient);
+        toColumn(vectorField(rho*particles_.gravity()), fluid_.pressure_gradient);
     }
     else if (demUnderRelaxation::active(fluid_))
     {
@@ -206,7 +206,7 @@ void Foam::demExchange::toParticles(const demFlow& flow)
     {
         toColumn(transfer_.sample(flow.gradP)(), fluid_.pressure_gradient);
     }
-    toColumn(transfer_.sample(volume_.field())(), fluid_.void_fraction);
+    toColumn(transfer_.sample(volume_.voidFraction())(), fluid_.void_fraction);
     toColumn(particles_.sample(flow.mu)(), fluid_.viscosity);
     quantities_.set(flow.U, flow.mu);
     if (capillary_)
@@ -217,11 +217,11 @@ void Foam::demExchange::toParticles(const demFlow& flow)
     for (size_t i = 0; i < fluid_.n; i++)
     {
         fluid_.slip_factor[i] =
-            particles_.volumeAveraged()
+            particles_.displaceFluid()
           ? dem_fluid_slip_factor(particles_.core(), fluid_.void_fraction[i])
           : 1;
     }
-    ownWake_.toParticles(volume_.ofFluid());
+    ownWake_.toParticles(volume_.voidFractionOfFluid());
 }
 
 
@@ -245,7 +245,7 @@ void Foam::demExchange::toFluid()
             )
         );
 
-        if (particles_.volumeAveraged() && !scheme_.wholeDrag())
+        if (particles_.displaceFluid() && !scheme_.wholeDrag())
         {
             depositPressureResponse(reaction);
         }
@@ -284,37 +284,37 @@ void Foam::demExchange::correct
 {
     const bool relaxed = demUnderRelaxation::active(fluid_);
     const vectorField velocity(transfer_.sample(U));
-    vectorField gradient(view_.n, Zero);    // its change at the particles
+    vectorField gradientChange(view_.n, Zero);
     vectorField reached(relaxed ? view_.n : 0);
 
     if (relaxed)
     {
         reached = sampleGradient(gradP);
-        gradient = underRelaxation().next(reached);
-        forAll(gradient, i)
+        gradientChange = underRelaxation().next(reached);
+        forAll(gradientChange, i)
         {
-            gradient[i] -= vectorAt(fluid_.pressure_gradient, i);
+            gradientChange[i] -= vectorAt(fluid_.pressure_gradient, i);
         }
     }
     else if (!scheme_.wholeDrag())
     {
-        gradient = transfer_.sample(volVectorField(gradP - gradP_));
+        gradientChange = transfer_.sample(volVectorField(gradP - gradP_));
     }
 
-    Info<< "Suna: exchange error "
-        << balance_.exchange
-           (
-               particles_.window(),
-               onFluid,
-               fluid_,
-               velocity,
-               particles_.volumeAveraged() ? volumes(view_)*gradient : 0*gradient,
-               transfer_.fraction(),
-               transfer_.toFullCircle()
-           )
-        << endl;
+    const scalar error = balance_.update
+    (
+        particles_.window(),
+        onFluid,
+        fluid_,
+        velocity,
+        particles_.displaceFluid() ? volumes(view_)*gradientChange : 0*gradientChange,
+        transfer_.fraction(),
+        transfer_.toFullCircle()
+    );
+    Info<< "Suna: exchange error " << error << endl;
     demSelfCheck::momentum(balance_.ofLargestTerm());
 
+    vectorField gradient(gradientChange);
     forAll(gradient, i)
     {
         gradient[i] += vectorAt(fluid_.pressure_gradient, i);

@@ -16,7 +16,7 @@ Foam::demMomentumBalance::demMomentumBalance()
 {}
 
 
-Foam::scalar Foam::demMomentumBalance::exchange
+Foam::scalar Foam::demMomentumBalance::update
 (
     const scalar window,
     const volVectorField& force,

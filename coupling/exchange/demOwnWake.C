@@ -112,7 +112,7 @@ Foam::scalar Foam::demOwnWake::screening
 ) const
 {
     const scalar speed = mag(slip(i));
-    const scalar drag = fluid_.drag_time[i]/particles_.window();
+    const scalar drag = fluid_.drag_integral[i]/particles_.window();
     const scalar mass = *dem_at(view_.mass, view_.stride, i);
     const scalar A = std::sqrt((1 - e)*drag/(volume(view_, i)*viscosity_[i]*e))*b;
     const scalar a = isFrozen(view_, i) ? 1 : mass*speed/(mass*speed + drag*b + VSMALL);
@@ -165,7 +165,7 @@ void Foam::demOwnWake::prepare(const bool wholeDrag)
     {
         dem_case_fluid_own_wake(particles_.described());
     }
-    if (particles_.volumeAveraged())
+    if (particles_.displaceFluid())
     {
         reads_ = wholeDrag ? 1 : 2;
     }

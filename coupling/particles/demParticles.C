@@ -122,7 +122,7 @@ Foam::demParticles::demParticles(const fvMesh& mesh, const bool volumeAveraged)
     mesh_(supported(mesh, volumeAveraged)),
     dict_(mesh),
     twoWay_(dict_.coupling().getOrDefault("twoWay", true)),
-    volumeAveraged_(volumeAveraged && twoWay_),
+    displaceFluid_(volumeAveraged && twoWay_),
     inletsOutlets_(mesh, dict_),
     transfer_(mesh, dict_.coupling(), inletsOutlets_.outlets()),
     walls_(mesh, dict_),

@@ -29,7 +29,7 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
         mesh_,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
-    solidFlux_
+    superficialVelocity_
     (
         demFieldAt(mesh_, "dem:solidFlux"),
         mesh_,
@@ -46,7 +46,7 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
     volumeError_(0),
     changeRate_(demSnapshot::readNumber(mesh_.time(), "changeRate"))
 {
-    if (particles_.volumeAveraged())
+    if (particles_.displaceFluid())
     {
         passedWalls_.reset(new demPassedWalls(voidFraction_));
     }
@@ -69,7 +69,7 @@ void Foam::demVoidFraction::passInletsOutlets(const volVectorField& U)
     {
         passedWalls_().check(U);
     }
-    if (particles_.volumeAveraged() && inletsOutlets_.active())
+    if (particles_.displaceFluid() && inletsOutlets_.active())
     {
         passWithVolumes(U);
     }
@@ -113,7 +113,7 @@ void Foam::demVoidFraction::deposit()
         dsdt_.primitiveFieldRef() =
             (old - voidFraction_.primitiveField())/mesh_.time().deltaTValue();
     }
-    if (particles_.volumeAveraged() && particles_.window() > 0)
+    if (particles_.displaceFluid() && particles_.window() > 0)
     {
         depositFlux(V);
     }

@@ -67,7 +67,7 @@ Foam::scalar Foam::demPlan::inflow(const volVectorField& U) const
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& velocity = U.boundaryField()[patchi];
-        const scalarField& e = volume_.ofFluid().boundaryField()[patchi];
+        const scalarField& e = volume_.voidFractionOfFluid().boundaryField()[patchi];
         const vectorField& area = velocity.patch().Sf();
 
         forAll(velocity, facei)
@@ -87,7 +87,7 @@ Foam::scalar Foam::demPlan::inflow(const volVectorField& U) const
 // spreads particles.
 Foam::scalar Foam::demPlan::bedVoidFraction() const
 {
-    const scalarField& e = volume_.field().primitiveField();
+    const scalarField& e = volume_.voidFraction().primitiveField();
     const scalarField solid(mesh_.V().field()*(1 - e));
     const scalar half = 0.5*gSum(solid);
     scalar low = 0, high = 1;
@@ -118,7 +118,7 @@ void Foam::demPlan::reportKernel(const scalar bed) const
     }
 
     const scalar volume =
-        gSum((mesh_.V().field()*(1 - volume_.field().primitiveField()))())
+        gSum((mesh_.V().field()*(1 - volume_.voidFraction().primitiveField()))())
        /transfer_.fraction();
     const scalar height = volume/section/(1 - bed);
     const label percent = label(100*min(layer/height, scalar(1)) + 0.5);
@@ -168,7 +168,7 @@ void Foam::demPlan::report(const volVectorField& U, const step& fluid)
     // The entering flow has not filled the bed yet; inside the bed it is faster
     const scalar crossing =
         ahead.inflow > 0 && fluid.maxCo > 0
-      ? fluid.maxCo*ahead.cell*gMin(volume_.ofFluid().primitiveField())/ahead.inflow
+      ? fluid.maxCo*ahead.cell*gMin(volume_.voidFractionOfFluid().primitiveField())/ahead.inflow
       : GREAT;
     const string throughflow("maxCo, by the inlet's flow through the bed");
     const scalar longest = min(fluid.reached, crossing);

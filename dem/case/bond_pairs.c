@@ -49,10 +49,10 @@ static size_t sort_list(const int64_t *ids, size_t pairs, struct listed_pair *li
     return different;
 }
 
-static void mark(struct dem_state *p, const struct listed_pair *list, size_t pairs, double *column,
+static void mark(struct dem_state *state, const struct listed_pair *list, size_t pairs, double *column,
                  uint8_t *found)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contacts *const c = &state->contacts;
 
     for (uint32_t r = 0; r < c->rows.n; r++)
     {
@@ -61,8 +61,8 @@ static void mark(struct dem_state *p, const struct listed_pair *list, size_t pai
 
         if (q && !q->wall)
         {
-            const struct listed_pair key = {.low = p->particles.record[q->i].id,
-                                            .high = p->particles.record[q->j].id};
+            const struct listed_pair key = {.low = state->particles.record[q->i].id,
+                                            .high = state->particles.record[q->j].id};
             const struct listed_pair *const hit = bsearch(&key, list, pairs, sizeof key, compare);
 
             if (hit)
@@ -97,12 +97,12 @@ struct ends    /* of a pair without a row, of the lower and the higher id */
 };
 
 /* Collective. */
-static void find_ends(const struct dem_state *p, const struct listed_pair *pair, struct ends *e)
+static void find_ends(const struct dem_state *state, const struct listed_pair *pair, struct ends *e)
 {
     *e = (struct ends){.there = {0, 0}};
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const q = &p->particles.record[i];
+        const struct dem_particle *const q = &state->particles.record[i];
 
         for (int k = 0; k < 2; k++)
         {
@@ -116,12 +116,12 @@ static void find_ends(const struct dem_state *p, const struct listed_pair *pair,
             }
         }
     }
-    dem_collect_sum_int64(&p->decomposition, e->there, 2);
-    dem_collect_sum_int64(&p->decomposition, e->fixed, 2);
-    dem_collect_sum_int64(&p->decomposition, e->body, 2);
-    dem_collect_sum_double(&p->decomposition, e->radius, 2);
-    dem_collect_sum_double(&p->decomposition, e->x[0], 3);
-    dem_collect_sum_double(&p->decomposition, e->x[1], 3);
+    dem_collect_sum_int64(&state->decomposition, e->there, 2);
+    dem_collect_sum_int64(&state->decomposition, e->fixed, 2);
+    dem_collect_sum_int64(&state->decomposition, e->body, 2);
+    dem_collect_sum_double(&state->decomposition, e->radius, 2);
+    dem_collect_sum_double(&state->decomposition, e->x[0], 3);
+    dem_collect_sum_double(&state->decomposition, e->x[1], 3);
 }
 
 /* Between the centres, of the nearest images in a box that is not sheared [m]. */
@@ -138,13 +138,13 @@ static double distance_of(const struct dem_domain *d, const struct ends *e)
 }
 
 /* Collective. Why a pair of the list has no row. */
-static int explain_missing(const struct dem_state *p, const struct listed_pair *pair)
+static int explain_missing(const struct dem_state *state, const struct listed_pair *pair)
 {
-    const struct dem_effect *const bond = effect_of_column(&p->interaction_table, NULL);
+    const struct dem_effect *const bond = effect_of_column(&state->interaction_table, NULL);
     const long long low = (long long)pair->low, high = (long long)pair->high;
     struct ends e;
 
-    find_ends(p, pair, &e);
+    find_ends(state, pair, &e);
     DEM_REQUIRE(e.there[0] && e.there[1], DEM_ERROR_INPUT, "bonds/pairs: (%lld %lld), but there is no particle %lld; "
                 "correct the list", low, high, e.there[0] ? high : low);
     DEM_REQUIRE(!e.fixed[0] || !e.fixed[1], DEM_ERROR_INPUT,
@@ -157,35 +157,35 @@ static int explain_missing(const struct dem_state *p, const struct listed_pair *
     return dem_error(DEM_ERROR_INPUT,
                      "bonds/pairs: the centres of particles %lld and %lld are %.4g m apart, %.4g times the sum of "
                      "their radii, which is beyond makeDistance and breakDistance of %s; correct the list, or raise "
-                     "both", low, high, distance_of(&p->domain, &e),
-                     distance_of(&p->domain, &e)/(e.radius[0] + e.radius[1]), bond ? bond->name : "a bond");
+                     "both", low, high, distance_of(&state->domain, &e),
+                     distance_of(&state->domain, &e)/(e.radius[0] + e.radius[1]), bond ? bond->name : "a bond");
 }
 
-static int check_found(const struct dem_state *p, const struct listed_pair *list, size_t pairs,
+static int check_found(const struct dem_state *state, const struct listed_pair *list, size_t pairs,
                        uint8_t *found)
 {
-    dem_collect_max_uint8(&p->decomposition, found, pairs);
-    DEM_TRY(dem_collect_agree(&p->decomposition, DEM_OK));
+    dem_collect_max_uint8(&state->decomposition, found, pairs);
+    DEM_TRY(dem_collect_agree(&state->decomposition, DEM_OK));
     for (size_t k = 0; k < pairs; k++)
     {
-        DEM_TRY(found[k] ? DEM_OK : explain_missing(p, &list[k]));
+        DEM_TRY(found[k] ? DEM_OK : explain_missing(state, &list[k]));
     }
     return DEM_OK;
 }
 
-static void mark_all(struct dem_state *p, const struct listed_pair *list, size_t pairs,
+static void mark_all(struct dem_state *state, const struct listed_pair *list, size_t pairs,
                      uint8_t *found)
 {
-    for (int m = 0; m < p->interaction_table.history_columns; m++)
+    for (int m = 0; m < state->interaction_table.history_columns; m++)
     {
-        if (effect_of_column(&p->interaction_table, p->interaction_table.history_name[m]))
+        if (effect_of_column(&state->interaction_table, state->interaction_table.history_name[m]))
         {
-            mark(p, list, pairs, p->contacts.history.column[m], found);
+            mark(state, list, pairs, state->contacts.history.column[m], found);
         }
     }
 }
 
-int dem_bond_pairs_mark(struct dem_state *p, const int64_t *ids, size_t count)
+int dem_bond_pairs_mark(struct dem_state *state, const int64_t *ids, size_t count)
 {
     size_t pairs = count/2;
 
@@ -194,12 +194,12 @@ int dem_bond_pairs_mark(struct dem_state *p, const int64_t *ids, size_t count)
     int status = DEM_NEW(list, pairs + 1);
 
     status = status ? status : DEM_NEW(found, pairs + 1);
-    status = dem_collect_agree(&p->decomposition, status);
+    status = dem_collect_agree(&state->decomposition, status);
     if (!status)
     {
         pairs = sort_list(ids, pairs, list);
-        mark_all(p, list, pairs, found);
-        status = check_found(p, list, pairs, found);
+        mark_all(state, list, pairs, found);
+        status = check_found(state, list, pairs, found);
     }
     dem_memory_free(list);
     dem_memory_free(found);

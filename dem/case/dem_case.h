@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "case/internal.h"
+#include "case/simulation.h"
 
 struct dem_case
 {
@@ -45,56 +45,56 @@ struct dem_case
 };
 
 /* Frees a run, and what a case has besides it. */
-void dem_api_free(struct dem *);
+void dem_sim_free(struct dem *);
 
 /* Collective. Give the triangles of all patches to the streams. */
-int dem_api_assign_patches(struct dem *);
+int dem_sim_assign_patches(struct dem *);
 
 /* Before walls are read: on which ranks triangles are given. */
-void dem_api_begin_walls(struct dem *);
+void dem_sim_begin_walls(struct dem *);
 
 /* Collective. Add the walls of dem_case_add_wall to the walls of the scene; move each to its present
    position. */
-int dem_api_add_mesh_walls(struct dem *);
-int dem_api_position_mesh_walls(struct dem *);
+int dem_sim_add_mesh_walls(struct dem *);
+int dem_sim_position_mesh_walls(struct dem *);
 
 /* Collective, when the walls have been read: masses of free walls that are solids, and their spins. */
-int dem_api_begin_bodies(struct dem *);
+int dem_sim_begin_bodies(struct dem *);
 
 /* Collective. Read the scene and check it, without particles. */
-int dem_api_read_scene(struct dem_case *);
+int dem_sim_read_scene(struct dem_case *);
 
 /* Checks that need no particles, of a scene that has been read and whose walls exist. */
-int dem_api_check_scene(struct dem_case *);
+int dem_sim_check_scene(struct dem_case *);
 
 /* Refuse what does not work with rigid bodies of several spheres, and set interaction_table.bond_radius; once the
    particles are known, how far the bodies reach out of subdomains (collective). */
-int dem_api_check_clumps(struct dem_case *);
-int dem_api_begin_clumps(struct dem *);
+int dem_sim_check_clumps(struct dem_case *);
+int dem_sim_begin_clumps(struct dem *);
 
 /* Collective. Once all radii are known: freeze the interaction table, choose the time step, finish
    the walls. */
-int dem_api_finish_physics(struct dem *);
+int dem_sim_finish_physics(struct dem *);
 
 /* Collective. Create the particles, on each rank a part of them; reduce their radii by material
    over all ranks into the interaction table; fill the fluid columns; start streams and outlets. */
-int dem_api_create_particles(struct dem_case *);
-int dem_api_find_radii(struct dem *);
-int dem_api_add_radii(struct dem_case *);       /* of groups, streams and the program */
-int dem_api_store_initial(struct dem *, size_t from);    /* initial particles, from number `from` on */
-int dem_api_join_initial(struct dem_case *);
-void dem_api_init_fluid(struct dem *);
-int dem_api_begin_flows(struct dem_case *);
+int dem_sim_create_particles(struct dem_case *);
+int dem_sim_find_radii(struct dem *);
+int dem_sim_add_radii(struct dem_case *);       /* of groups, streams and the program */
+int dem_sim_store_initial(struct dem *, size_t from);    /* initial particles, from number `from` on */
+int dem_sim_join_initial(struct dem_case *);
+void dem_sim_init_fluid(struct dem *);
+int dem_sim_begin_flows(struct dem_case *);
 
 /* Refuse overlaps at the start: of all particles, with the lists of the first step; of those from
    the state of another run with walls; of those inserted at a restart. */
-int dem_api_refuse_overlap(struct dem *);
-int dem_api_check_start(struct dem_case *);
-int dem_api_check_inserted(struct dem_case *);
+int dem_sim_refuse_overlap(struct dem *);
+int dem_sim_check_start(struct dem_case *);
+int dem_sim_check_inserted(struct dem_case *);
 
 /* With lists: refuse an overlap of a particle that is flagged as new. */
-int dem_api_refuse_new_overlap(struct dem *);
+int dem_sim_refuse_new_overlap(struct dem *);
 
 /* Call `look` with the lists built from the state of a snapshot, on a backup; then everything is
    put back, so that the run goes on with the same bits; also after an error of `look`. */
-int dem_api_with_lists(struct dem *, int (*look)(struct dem *));
+int dem_sim_with_lists(struct dem *, int (*look)(struct dem *));

@@ -106,7 +106,7 @@ static int add_wall(struct dem_case *c, const char *name, const char *material, 
     struct dem_mesh_wall *w;
 
     DEM_TRY(require_open(c, "dem_case_add_wall"));
-    DEM_TRY(dem_api_require_count("dem_case_add_wall", "triangles", n));
+    DEM_TRY(dem_sim_require_count("dem_case_add_wall", "triangles", n));
     DEM_REQUIRE(strlen(name) < sizeof w->name && strlen(material) < sizeof w->material,
                 DEM_ERROR_INPUT, "wall %s of %s: a name longer than %zu characters; shorten it",
                 name, material, sizeof w->material - 1);
@@ -124,14 +124,14 @@ static int add_wall(struct dem_case *c, const char *name, const char *material, 
 int dem_case_add_wall(struct dem_case *c, const char *name, const char *material, int64_t n,
                       const double *triangles)
 {
-    return dem_api_agree(c->d, add_wall(c, name, material, n, triangles));
+    return dem_sim_agree(c->d, add_wall(c, name, material, n, triangles));
 }
 
 int dem_case_move_wall(struct dem_case *c, const char *name, int64_t n, const double *triangles)
 {
     struct dem_mesh_wall *wall;
 
-    return dem_api_copy_corners(c->d, "dem_case_move_wall", name, n, triangles, &wall);
+    return dem_sim_copy_corners(c->d, "dem_case_move_wall", name, n, triangles, &wall);
 }
 
 int dem_case_add_region(struct dem_case *c, const char *name, int zone, int64_t n,
@@ -146,15 +146,15 @@ int dem_case_add_region(struct dem_case *c, const char *name, int zone, int64_t 
     DEM_REQUIRE(strlen(name) < sizeof g->surface->name, DEM_ERROR_INPUT,
                 "zone %s: a name longer than %zu characters; shorten it", name,
                 sizeof g->surface->name - 1);
-    int status = dem_api_require_count("dem_case_add_region", "triangles", n);
+    int status = dem_sim_require_count("dem_case_add_region", "triangles", n);
 
     status = status ? status : DEM_GROW(g->surface, g->capacity, g->n + 1);
-    DEM_TRY(dem_api_gather(&d->state, status, 9, (size_t)n, triangles, &corners, &total));
+    DEM_TRY(dem_sim_gather(&d->state, status, 9, (size_t)n, triangles, &corners, &total));
     struct dem_closed_surface *const s = &g->surface[g->n++];
 
     *s = (struct dem_closed_surface){.what = zone ? "zone" : "mesh", .zone = zone};
     snprintf(s->name, sizeof s->name, "%s", name);
-    return dem_api_agree(d, dem_closed_surface_init(s, total, corners));
+    return dem_sim_agree(d, dem_closed_surface_init(s, total, corners));
 }
 
 static int new_patch(struct dem_case *c, const char *name, struct dem_flow_patch **patch)
@@ -162,7 +162,7 @@ static int new_patch(struct dem_case *c, const char *name, struct dem_flow_patch
     struct dem *const d = c->d;
 
     DEM_TRY(require_open(c, "dem_case_add_patch"));
-    *patch = dem_api_find_patch(d, name);
+    *patch = dem_sim_find_patch(d, name);
     DEM_REQUIRE(!*patch, DEM_ERROR_INPUT, "dem_case_add_patch: patch %s has been added already", name);
     DEM_REQUIRE(strlen(name) < sizeof d->patch->name, DEM_ERROR_INPUT,
                 "patch %s: a name longer than %zu characters; shorten it", name,
@@ -177,10 +177,10 @@ int dem_case_add_patch(struct dem_case *c, const char *name, int64_t n, const do
                        const double *velocity)
 {
     struct dem_flow_patch *patch = NULL;
-    int status = dem_api_require_count("dem_case_add_patch", "triangles", n);
+    int status = dem_sim_require_count("dem_case_add_patch", "triangles", n);
 
     status = status ? status : new_patch(c, name, &patch);
-    return dem_api_gather_patch(c->d, status, patch, n, triangles, velocity);
+    return dem_sim_gather_patch(c->d, status, patch, n, triangles, velocity);
 }
 
 int dem_case_flows_on_request(struct dem_case *c)
@@ -194,7 +194,7 @@ int dem_case_flows_on_request(struct dem_case *c)
 
 static int add_particles(struct dem_case *c, int64_t n, const struct dem_new_particle *added)
 {
-    DEM_TRY(dem_api_require_count("dem_case_add_particles", "particles", n));
+    DEM_TRY(dem_sim_require_count("dem_case_add_particles", "particles", n));
     DEM_TRY(DEM_GROW(c->initial_material, c->initial_capacity, c->initial.n + (size_t)n + 1));
     for (int64_t k = 0; k < n; k++)
     {

@@ -3,12 +3,12 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "ranks/collect.h"
 #include <math.h>
 
-int dem_api_require_sound(const struct dem *d, const char *call)
+int dem_sim_require_sound(const struct dem *d, const char *call)
 {
     DEM_REQUIRE(!d->failed, DEM_ERROR_STATE, "%s after a dem_advance that failed, which has left "
                 "particles in the middle of a step; go back to the last good state with dem_restore "
@@ -16,7 +16,7 @@ int dem_api_require_sound(const struct dem *d, const char *call)
     return DEM_OK;
 }
 
-int dem_api_require_count(const char *call, const char *items, int64_t n)
+int dem_sim_require_count(const char *call, const char *items, int64_t n)
 {
     DEM_REQUIRE(n >= 0, DEM_ERROR_INPUT, "%s: %lld %s; give 0 or more", call, (long long)n, items);
     /* 128 bytes an item or less */
@@ -25,24 +25,24 @@ int dem_api_require_count(const char *call, const char *items, int64_t n)
     return DEM_OK;
 }
 
-int dem_api_agree(const struct dem *d, int status)
+int dem_sim_agree(const struct dem *d, int status)
 {
     return dem_collect_agree(&d->state.decomposition, status);
 }
 
-int dem_api_gather(const struct dem_state *p, int status, size_t size, size_t n, const double *mine,
+int dem_sim_gather(const struct dem_state *state, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number)
 {
     const struct dem_collect_items own = {"triangles of a wall or patch (make it of several)", mine,
                                           n, size*sizeof *mine};
     void *all;
 
-    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, number));
+    DEM_TRY(dem_collect_gather(&state->decomposition, status, &own, &all, number));
     *items = all;
     return DEM_OK;
 }
 
-double dem_api_max_radius(const struct dem *d)
+double dem_sim_max_radius(const struct dem *d)
 {
     double max = 0.0;
 

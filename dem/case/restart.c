@@ -82,37 +82,37 @@ static int write_text(const struct dem *d, struct dem_text *t)
     return t->status;
 }
 
-int dem_api_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
+int dem_sim_describe_scene(const struct dem *d, struct dem_snapshot_scene *s)
 {
-    const struct dem_state *const p = &d->state;
+    const struct dem_state *const state = &d->state;
     struct dem_text t = {0};
 
     *s = (struct dem_snapshot_scene){.text = NULL};
     int status = write_text(d, &t);
 
-    dem_api_describe_motions(&p->walls, p->time, &t);
-    dem_wall_wear_describe(p, &t);
+    dem_sim_describe_motions(&state->walls, state->time, &t);
+    dem_wall_wear_describe(state, &t);
     status = status ? status : t.status;
     s->tail.text = (int64_t)(t.n/8 + 1)*8;    /* ends in a zero */
-    s->tail.walls = p->walls.walls;
-    s->tail.next_id = d->next_id > p->flows->next_id ? d->next_id : p->flows->next_id;
+    s->tail.walls = state->walls.walls;
+    s->tail.next_id = d->next_id > state->flows->next_id ? d->next_id : state->flows->next_id;
     status = status ? status : DEM_NEW(s->text, s->tail.text);
     status = status ? status : DEM_NEW(s->wall, s->tail.walls + 1);
     if (!status && t.n > 0)
     {
         memcpy(s->text, t.text, t.n);
     }
-    for (int k = 0; k < p->walls.walls && !status; k++)
+    for (int k = 0; k < state->walls.walls && !status; k++)
     {
-        s->wall[k] = dem_snapshot_scene_wall(&p->walls, k);
+        s->wall[k] = dem_snapshot_scene_wall(&state->walls, k);
     }
     for (int k = 0; k < 3; k++)
     {
-        const int periodic = p->domain.periodic[k];
+        const int periodic = state->domain.periodic[k];
 
         s->tail.domain[k][0] = periodic;
-        s->tail.domain[k][1] = periodic ? p->domain.min[k] : 0.0;
-        s->tail.domain[k][2] = !periodic ? 0.0 : p->cell.active ? p->cell.first_max[k] : p->domain.max[k];
+        s->tail.domain[k][1] = periodic ? state->domain.min[k] : 0.0;
+        s->tail.domain[k][2] = !periodic ? 0.0 : state->cell.active ? state->cell.first_max[k] : state->domain.max[k];
     }
     dem_text_free(&t);
     return status;
@@ -172,12 +172,12 @@ static int tell(struct comparison *c, const struct dem_scene_line *was,
     }
     if (change == DEM_LINE_CHANGED)
     {
-        return dem_api_note(c->c->d, "restart: %.*s was %.*s, now %.*s: %s", (int)l->length, l->path,
+        return dem_sim_note(c->c->d, "restart: %.*s was %.*s, now %.*s: %s", (int)l->length, l->path,
                             (int)was->size, was->value, (int)is->size, is->value, becomes);
     }
     const int whole = l->size == 2 && memcmp(l->value, "{}", 2) == 0;
 
-    return dem_api_note(c->c->d, "restart: %.*s%s%.*s is %s: %s", (int)l->length, l->path,
+    return dem_sim_note(c->c->d, "restart: %.*s%s%.*s is %s: %s", (int)l->length, l->path,
                         whole ? "" : " ", whole ? 0 : (int)l->size, l->value,
                         change == DEM_LINE_NEW ? "new" : "gone", becomes);
 }
@@ -281,7 +281,7 @@ static int tell_of_return(struct dem *d, const char *group)
     snprintf(path, sizeof path, "insert/%s {}", group);
     return has_mark(d->before.text, path, "")
              ? DEM_OK
-             : dem_api_note(d, "restart: insert/%s is back in the scene: its particles were inserted "
+             : dem_sim_note(d, "restart: insert/%s is back in the scene: its particles were inserted "
                             "before, and are not inserted again", group);
 }
 
@@ -306,7 +306,7 @@ static int keep_new_groups(struct dem_case *c)
     return dem_insert_check_domain(&d->scene.insertion, &d->state.domain);
 }
 
-int dem_api_compare_scene(struct dem_case *c)
+int dem_sim_compare_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
@@ -320,6 +320,6 @@ int dem_api_compare_scene(struct dem_case *c)
     DEM_TRY(compare(c));
     dem_cell_resume(d, d->before.text);
     DEM_TRY(dem_stages_start(d, 1));
-    DEM_TRY(dem_api_resume_walls(c));
+    DEM_TRY(dem_sim_resume_walls(c));
     return keep_new_groups(c);
 }

@@ -19,26 +19,26 @@
 
 /* Collective, when the particles of the snapshot have been read: read its scene and compare. Only new
    groups and new particles of the program stay in the case. */
-int dem_api_compare_scene(struct dem_case *);
+int dem_sim_compare_scene(struct dem_case *);
 
 /* Collective, when the walls are finished: insert the new groups. */
-int dem_api_insert_new_groups(struct dem_case *);
+int dem_sim_insert_new_groups(struct dem_case *);
 
 /* When the scenes have been compared and before the walls are finished: walls whose form is the same go
    on from where they stood. */
-int dem_api_resume_walls(struct dem_case *);
+int dem_sim_resume_walls(struct dem_case *);
 
 /* Append the lines of a snapshot's scene text that hold compound motions at a time [s]. */
-void dem_api_describe_motions(const struct dem_walls *, double time, struct dem_text *);
+void dem_sim_describe_motions(const struct dem_walls *, double time, struct dem_text *);
 
 /* New numbers of the facets of the snapshot's walls; the caller frees map->wall. */
-int dem_api_map_facets(struct dem_case *, struct dem_snapshot_facets *);
+int dem_sim_map_facets(struct dem_case *, struct dem_snapshot_facets *);
 
 /* On the first rank, when the walls are finished: walls that keep their triangles keep their wear. */
-int dem_api_resume_wear(struct dem_case *);
+int dem_sim_resume_wear(struct dem_case *);
 
 /* Add a sentence. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif
-int dem_api_note(struct dem *, const char *format, ...);
+int dem_sim_note(struct dem *, const char *format, ...);

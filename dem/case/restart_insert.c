@@ -74,22 +74,22 @@ static int refuse_present_ids(const struct dem_case *of, size_t present)
    the velocity half a step ahead like all others. */
 static void begin_columns(struct dem *d, size_t from)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     double g[3];
 
-    dem_interaction_table_gravity(&p->interaction_table, g);
-    for (size_t i = from; i < p->particles.n; i++)
+    dem_interaction_table_gravity(&state->interaction_table, g);
+    for (size_t i = from; i < state->particles.n; i++)
     {
-        struct dem_particle *const q = &p->particles.record[i];
+        struct dem_particle *const q = &state->particles.record[i];
 
         q->flags |= DEM_PARTICLE_NEW;
-        dem_flows_begin_columns(p, i, &d->scene.fluid);
-        for (int k = 0; k < 3 && p->window.half_step_ahead && q->inverse_mass > 0.0; k++)
+        dem_flows_begin_columns(state, i, &d->scene.fluid);
+        for (int k = 0; k < 3 && state->window.half_step_ahead && q->inverse_mass > 0.0; k++)
         {
-            q->v[k] += 0.5*p->dt*g[k];
+            q->v[k] += 0.5*state->dt*g[k];
             if (q->body)
             {
-                dem_clump_of(&p->particles, i)->v[k] += 0.5*p->dt*g[k];
+                dem_clump_of(&state->particles, i)->v[k] += 0.5*state->dt*g[k];
             }
         }
     }
@@ -104,7 +104,7 @@ static int tell(struct dem_case *of)
     {
         const int of_program = of->initial.n > 0 && k + 1 == c->groups;
 
-        DEM_TRY(dem_api_note(d, "restart: %s%s is new: its %lld particles are inserted now",
+        DEM_TRY(dem_sim_note(d, "restart: %s%s is new: its %lld particles are inserted now",
                              of_program ? "" : "insert/", c->group[k].name,
                              (long long)c->group[k].n));
     }
@@ -114,23 +114,23 @@ static int tell(struct dem_case *of)
 static int insert(struct dem_case *of)
 {
     struct dem *const d = of->d;
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     struct dem_initial_particles *const c = &d->scene.initial;
-    const size_t present = p->particles.n;
+    const size_t present = state->particles.n;
 
-    DEM_TRY(dem_api_agree(d, list_present(d)));
+    DEM_TRY(dem_sim_agree(d, list_present(d)));
     c->next_id = d->next_id;
-    dem_walls_move(&p->walls, p->time, 0.0);
-    DEM_TRY(dem_insert_place(c, &d->scene.insertion, &p->interaction_table, &p->walls,
-                             &p->decomposition));
-    DEM_TRY(dem_api_agree(d, dem_api_join_initial(of)));
-    DEM_TRY(dem_api_agree(d, refuse_present_ids(of, present)));
-    DEM_TRY(dem_api_agree(d, dem_api_store_initial(d, present)));
+    dem_walls_move(&state->walls, state->time, 0.0);
+    DEM_TRY(dem_insert_place(c, &d->scene.insertion, &state->interaction_table, &state->walls,
+                             &state->decomposition));
+    DEM_TRY(dem_sim_agree(d, dem_sim_join_initial(of)));
+    DEM_TRY(dem_sim_agree(d, refuse_present_ids(of, present)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_store_initial(d, present)));
     begin_columns(d, present);
-    return dem_api_agree(d, tell(of));
+    return dem_sim_agree(d, tell(of));
 }
 
-int dem_api_insert_new_groups(struct dem_case *c)
+int dem_sim_insert_new_groups(struct dem_case *c)
 {
     struct dem *const d = c->d;
     const int64_t free_id = dem_flows_first_free_id(&d->state);

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-int dem_api_note(struct dem *d, const char *format, ...)
+int dem_sim_note(struct dem *d, const char *format, ...)
 {
     char text[1024];
     va_list arguments;

@@ -78,7 +78,7 @@ static void write_words(struct dem_text *t, const void *from, int n)
     }
 }
 
-void dem_api_describe_motions(const struct dem_walls *w, double time, struct dem_text *t)
+void dem_sim_describe_motions(const struct dem_walls *w, double time, struct dem_text *t)
 {
     static const struct dem_wall_body_state none;
 
@@ -140,7 +140,7 @@ static struct dem_wall_before find_motion(const char *text, const struct dem_sna
     return was;
 }
 
-int dem_api_resume_walls(struct dem_case *c)
+int dem_sim_resume_walls(struct dem_case *c)
 {
     struct dem_walls *const w = &c->d->state.walls;
 
@@ -155,14 +155,14 @@ int dem_api_resume_walls(struct dem_case *c)
             int rows;
 
             DEM_TRY(dem_walls_resume_motion(w, k, &before, c->d->state.time, &rows));
-            DEM_TRY(rows ? dem_api_note(c->d, "restart: the table of the motion of wall %s has other "
+            DEM_TRY(rows ? dem_sim_note(c->d, "restart: the table of the motion of wall %s has other "
                                         "rows than before: the wall goes on from where it stood",
                                         was->name)
                          : DEM_OK);
             const struct dem_wall_body *const b = dem_walls_body(w, k);
 
             DEM_TRY(b && b->state.loaded > 0.0
-                        ? dem_api_note(c->d, "restart: wall %s has the load that the program has set, not the "
+                        ? dem_sim_note(c->d, "restart: wall %s has the load that the program has set, not the "
                                        "scene's", was->name)
                         : DEM_OK);
         }
@@ -178,7 +178,7 @@ static int keeps_facets(const struct dem_case *c, const struct dem_wall *of,
         && was->triangles == (int64_t)of->triangles;
 }
 
-int dem_api_map_facets(struct dem_case *c, struct dem_snapshot_facets *map)
+int dem_sim_map_facets(struct dem_case *c, struct dem_snapshot_facets *map)
 {
     const struct dem_walls *const w = &c->d->state.walls;
 
@@ -198,14 +198,14 @@ int dem_api_map_facets(struct dem_case *c, struct dem_snapshot_facets *map)
         }
         else if (was && is_same_wall(c, of, was, 0) && !c->new_run)
         {
-            DEM_TRY(dem_api_note(c->d, "restart: wall %s has other triangles than in the snapshot: it "
+            DEM_TRY(dem_sim_note(c->d, "restart: wall %s has other triangles than in the snapshot: it "
                                  "goes on without the history of its contacts", was->name));
         }
     }
     return DEM_OK;
 }
 
-int dem_api_resume_wear(struct dem_case *c)
+int dem_sim_resume_wear(struct dem_case *c)
 {
     struct dem *const d = c->d;
 

@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/scene_cell.h"
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "ranks/collect.h"
@@ -92,16 +92,16 @@ int dem_scene_read_cell(struct dem_cell *c, struct dem_domain *d, const struct d
 
 int dem_cell_refuse(const struct dem *d)
 {
-    const struct dem_state *const p = &d->state;
-    const struct dem_interaction_table *const r = &p->interaction_table;
+    const struct dem_state *const state = &d->state;
+    const struct dem_interaction_table *const r = &state->interaction_table;
 
-    if (!p->cell.active)
+    if (!state->cell.active)
     {
         return DEM_OK;
     }
-    DEM_REQUIRE(p->walls.walls == 0, DEM_ERROR_INPUT,
+    DEM_REQUIRE(state->walls.walls == 0, DEM_ERROR_INPUT,
                 "domain/cell deforms the whole space, but wall %s would not follow; remove the walls, or "
-                "let a wall move in place of the cell", p->walls.wall[0].name);
+                "let a wall move in place of the cell", state->walls.wall[0].name);
     for (int k = 0; k < r->chosen; k++)
     {
         DEM_REQUIRE(r->effect[k]->stage < DEM_STAGE_BODY, DEM_ERROR_INPUT,
@@ -116,25 +116,25 @@ int dem_cell_refuse(const struct dem *d)
                 "domain/cell and shapes: rigid bodies of several spheres do not follow a cell; remove one of "
                 "them");
     DEM_REQUIRE(d->scene.streams.streams + d->scene.streams.outlets + d->scene.streams.planes == 0
-                    && p->applied_forces.n == 0, DEM_ERROR_INPUT,
+                    && state->applied_forces.n == 0, DEM_ERROR_INPUT,
                 "domain/cell does not go with forces, streams, groups with `at`, outlets "
                 "or planes; remove them");
     return DEM_OK;
 }
 
-int dem_cell_refuse_fixed(const struct dem_state *p)
+int dem_cell_refuse_fixed(const struct dem_state *state)
 {
     int64_t fixed = 0;
 
-    if (!p->cell.active)
+    if (!state->cell.active)
     {
         return DEM_OK;
     }
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        fixed += (p->particles.record[i].flags & (DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN)) != 0;
+        fixed += (state->particles.record[i].flags & (DEM_PARTICLE_FROZEN | DEM_PARTICLE_DRIVEN)) != 0;
     }
-    dem_collect_sum_int64(&p->decomposition, &fixed, 1);
+    dem_collect_sum_int64(&state->decomposition, &fixed, 1);
     DEM_REQUIRE(fixed == 0, DEM_ERROR_INPUT,
                 "domain/cell, and %lld particles are frozen or driven, but a cell moves all of them with its "
                 "flow; let them be free, or leave the cell out", (long long)fixed);

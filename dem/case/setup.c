@@ -39,22 +39,22 @@
 /* Initial outer and inner skin [m]: thin, as suits a bed at rest; fast particles make them
    thicker at once. *max is the upper bound of both: a diameter, and in a periodic domain less
    than where a particle would find its own image. */
-static void choose_skins(const struct dem_state *p, double radius, double skin[2], double *max)
+static void choose_skins(const struct dem_state *state, double radius, double skin[2], double *max)
 {
     double min_radius = radius;
 
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
-        min_radius = p->interaction_table.min_radius[m] > 0.0
-                       ? fmin(min_radius, p->interaction_table.min_radius[m])
+        min_radius = state->interaction_table.min_radius[m] > 0.0
+                       ? fmin(min_radius, state->interaction_table.min_radius[m])
                        : min_radius;
     }
     *max = 2.0*radius;
     for (int k = 0; k < 3; k++)
     {
-        *max = p->domain.periodic[k]
+        *max = state->domain.periodic[k]
                  ? fmin(*max,
-                        0.99*(p->domain.length[k] - 2.0*radius - p->interaction_table.reach))
+                        0.99*(state->domain.length[k] - 2.0*radius - state->interaction_table.reach))
                  : *max;
     }
     min_radius = fmax(min_radius, 0.05*radius);
@@ -80,46 +80,46 @@ static void resume_skins(struct dem_skins *s, const struct dem_skins *saved)
 static int prepare_physics(struct dem_case *c)
 {
     struct dem *const d = c->d;
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
     if (c->load_path[0])
     {
-        DEM_TRY(dem_api_find_radii(d));
-        DEM_TRY(dem_api_agree(d, dem_api_add_radii(c)));
-        DEM_TRY(dem_api_finish_physics(d));
+        DEM_TRY(dem_sim_find_radii(d));
+        DEM_TRY(dem_sim_agree(d, dem_sim_add_radii(c)));
+        DEM_TRY(dem_sim_finish_physics(d));
     }
-    DEM_TRY(dem_api_insert_new_groups(c));
-    const double radius = dem_api_max_radius(d);
+    DEM_TRY(dem_sim_insert_new_groups(c));
+    const double radius = dem_sim_max_radius(d);
     double skin[2] = {2.0*radius*d->scene.outer_skin, 2.0*radius*d->scene.inner_skin};
     double max_skin = 2.0*radius;
 
     if (d->scene.tuned_skins)
     {
-        choose_skins(p, radius, skin, &max_skin);
+        choose_skins(state, radius, skin, &max_skin);
     }
 
-    DEM_TRY(dem_wall_store_distribute(&p->wall_store, &p->walls));
-    DEM_TRY(dem_contacts_init(&p->contacts, &p->interaction_table));
-    p->contacts.forces.all_rows |= c->virial || d->scene.averages > 0 || p->cell.active;
-    dem_pairs_init(&p->pairs, &p->domain, skin, p->interaction_table.reach, radius);
+    DEM_TRY(dem_wall_store_distribute(&state->wall_store, &state->walls));
+    DEM_TRY(dem_contacts_init(&state->contacts, &state->interaction_table));
+    state->contacts.forces.all_rows |= c->virial || d->scene.averages > 0 || state->cell.active;
+    dem_pairs_init(&state->pairs, &state->domain, skin, state->interaction_table.reach, radius);
     if (d->scene.tuned_skins && radius > 0.0)
     {
-        dem_pairs_tune(&p->pairs, max_skin);
-        resume_skins(&p->pairs.skins, &c->snapshot_skins);
+        dem_pairs_tune(&state->pairs, max_skin);
+        resume_skins(&state->pairs.skins, &c->snapshot_skins);
     }
-    return dem_wall_search_prepare(&p->pairs.wall_search, &p->walls, radius > 0.0 ? radius : 1.0);
+    return dem_wall_search_prepare(&state->pairs.wall_search, &state->walls, radius > 0.0 ? radius : 1.0);
 }
 
 static int read_contacts(struct dem_case *c)
 {
-    struct dem_state *const p = &c->d->state;
+    struct dem_state *const state = &c->d->state;
     struct dem_snapshot_facets facets;
-    int status = dem_api_agree(c->d, dem_api_map_facets(c, &facets));
+    int status = dem_sim_agree(c->d, dem_sim_map_facets(c, &facets));
 
     status = status ? status
-                    : dem_snapshot_read_contacts(c->load_path, &p->decomposition,
-                                                 &p->interaction_table, &p->particles, &facets,
-                                                 &p->contacts);
+                    : dem_snapshot_read_contacts(c->load_path, &state->decomposition,
+                                                 &state->interaction_table, &state->particles, &facets,
+                                                 &state->contacts);
     dem_memory_free(facets.wall);
     return status;
 }
@@ -129,39 +129,39 @@ static int read_contacts(struct dem_case *c)
 static int distribute(struct dem_case *c)
 {
     struct dem *const d = c->d;
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
     DEM_TRY(
-        dem_collect_agree(&p->decomposition, dem_domain_project_all(&p->domain, &p->particles)));
-    DEM_TRY(dem_decomposition_balance(&p->decomposition, &p->particles, NULL));
-    DEM_TRY(dem_collect_agree(&p->decomposition, dem_halo_migrate(&p->halo, DEM_OK, &p->particles,
-                                                                  &p->contacts)));
-    p->stale = 2;
-    dem_walls_move(&p->walls, p->time, 0.0);
+        dem_collect_agree(&state->decomposition, dem_domain_project_all(&state->domain, &state->particles)));
+    DEM_TRY(dem_decomposition_balance(&state->decomposition, &state->particles, NULL));
+    DEM_TRY(dem_collect_agree(&state->decomposition, dem_halo_migrate(&state->halo, DEM_OK, &state->particles,
+                                                                      &state->contacts)));
+    state->neighbor_lists = DEM_LISTS_NONE;
+    dem_walls_move(&state->walls, state->time, 0.0);
     if (c->load_path[0])
     {
         return read_contacts(c);
     }
-    DEM_TRY(dem_neighbor_rebuild(p));
-    p->stale = 1;
-    DEM_TRY(dem_collect_agree(&p->decomposition, dem_api_refuse_overlap(d)));
-    DEM_TRY(dem_bond_pairs_mark(p, d->scene.bond_ids, d->scene.bond_id_count));
-    DEM_TRY(dem_sweep_contacts_and_sum(p, 0.0, (const double[2]){-INFINITY, p->time}));
-    dem_sum_bond_energies(&p->particles, &p->contacts);
-    p->limits.overlap = 0.0;
-    return p->walls.bodies > 0 ? dem_wall_bodies_sum(p) : DEM_OK;
+    DEM_TRY(dem_neighbor_rebuild(state));
+    state->neighbor_lists = DEM_LISTS_REBUILD;
+    DEM_TRY(dem_collect_agree(&state->decomposition, dem_sim_refuse_overlap(d)));
+    DEM_TRY(dem_bond_pairs_mark(state, d->scene.bond_ids, d->scene.bond_id_count));
+    DEM_TRY(dem_sweep_contacts_and_sum(state, 0.0, (const double[2]){-INFINITY, state->time}));
+    dem_sum_bond_energies(&state->particles, &state->contacts);
+    state->limits.overlap = 0.0;
+    return state->walls.bodies > 0 ? dem_wall_bodies_sum(state) : DEM_OK;
 }
 
 static int begin_energy(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     int status =
-        dem_sweep_contacts_and_bodies(p, 0.0, (const double[2]){p->time, p->time}, NULL);
+        dem_sweep_contacts_and_bodies(state, 0.0, (const double[2]){state->time, state->time}, NULL);
 
-    status = dem_collect_agree(&p->decomposition, status);
+    status = dem_collect_agree(&state->decomposition, status);
     if (!status)
     {
-        dem_energy_balance_begin(p);
+        dem_energy_balance_begin(state);
     }
     return status;
 }
@@ -178,7 +178,7 @@ static int begin_energy_balance(struct dem_case *c)
         dem_energy_balance_begin(&d->state);
         return DEM_OK;
     }
-    return dem_api_with_lists(d, begin_energy);
+    return dem_sim_with_lists(d, begin_energy);
 }
 
 /* Sums of the averages when the snapshot was written. The snapshot of the scene's entry `start`
@@ -215,11 +215,11 @@ static int begin_averages(struct dem_case *c)
     {
         d->scene.average[k].comment = d->heading;
     }
-    DEM_TRY(dem_api_agree(d, dem_grid_averages_init(d->state.averages, d->scene.average,
+    DEM_TRY(dem_sim_agree(d, dem_grid_averages_init(d->state.averages, d->scene.average,
                                                     d->scene.averages,
                                                     &d->state.interaction_table, d->state.time,
                                                     d->state.decomposition.rank == 0)));
-    return dem_api_agree(d, resume_averages(c));
+    return dem_sim_agree(d, resume_averages(c));
 }
 
 /* Ranks read different parts of a snapshot, so one may fail alone. */
@@ -227,14 +227,14 @@ static int place_particles(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
-    DEM_TRY(dem_api_agree(d, dem_api_create_particles(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_create_particles(c)));
     dem_orientation_begin(&d->state.particles);
-    DEM_TRY(dem_api_agree(d, prepare_physics(c)));
-    DEM_TRY(dem_api_agree(d, dem_api_begin_clumps(d)));
-    DEM_TRY(dem_api_agree(d, dem_api_position_mesh_walls(d)));
+    DEM_TRY(dem_sim_agree(d, prepare_physics(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_begin_clumps(d)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_position_mesh_walls(d)));
     if (d->scene.fluid.given || !c->load_path[0])
     {
-        dem_api_init_fluid(d);
+        dem_sim_init_fluid(d);
     }
     if (has_energy_balance(c))
     {
@@ -242,14 +242,14 @@ static int place_particles(struct dem_case *c)
 
         status = status ? status
                         : dem_energy_balance_watch_walls(d->state.energy_balance, &d->state.walls);
-        DEM_TRY(dem_api_agree(d, status));
+        DEM_TRY(dem_sim_agree(d, status));
     }
-    DEM_TRY(dem_api_agree(d, dem_wall_wear_begin(&d->state)));
-    DEM_TRY(dem_api_agree(d, dem_api_resume_wear(c)));
-    DEM_TRY(dem_api_agree(d, dem_api_begin_flows(c)));
-    DEM_TRY(dem_api_agree(d, distribute(c)));
-    DEM_TRY(dem_api_agree(d, dem_api_check_start(c)));
-    return dem_api_agree(d, dem_api_check_inserted(c));
+    DEM_TRY(dem_sim_agree(d, dem_wall_wear_begin(&d->state)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_resume_wear(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_begin_flows(c)));
+    DEM_TRY(dem_sim_agree(d, distribute(c)));
+    DEM_TRY(dem_sim_agree(d, dem_sim_check_start(c)));
+    return dem_sim_agree(d, dem_sim_check_inserted(c));
 }
 
 /* The device of the scene, or a sentence why the CPU makes the steps. */
@@ -282,13 +282,13 @@ static int set_up(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
-    DEM_TRY(c->checked ? DEM_OK : dem_api_read_scene(c));
+    DEM_TRY(c->checked ? DEM_OK : dem_sim_read_scene(c));
     DEM_TRY(place_particles(c));
     DEM_TRY(dem_cell_refuse_fixed(&d->state));
     d->driven = dem_totals_any_driven(&d->state);
     if (has_energy_balance(c))
     {
-        DEM_TRY(dem_api_agree(d, begin_energy_balance(c)));
+        DEM_TRY(dem_sim_agree(d, begin_energy_balance(c)));
     }
     /* drag laws of the interrupted window take the fluid columns as loaded */
     if (d->state.window.half_step_ahead)

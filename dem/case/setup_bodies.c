@@ -51,7 +51,7 @@ static void take_mass(struct dem_wall_body *b, const struct solid *s)
     dem_wall_rotation_prepare(&b->rotation, &dem_pose_identity);
 }
 
-int dem_api_begin_bodies(struct dem *d)
+int dem_sim_begin_bodies(struct dem *d)
 {
     const struct dem_walls *const w = &d->state.walls;
 
@@ -62,7 +62,7 @@ int dem_api_begin_bodies(struct dem *d)
 
         if (b && b->rotation.density > 0.0)
         {
-            DEM_TRY(dem_api_agree(d, measure(d, k, &s)));
+            DEM_TRY(dem_sim_agree(d, measure(d, k, &s)));
             DEM_TRY(d->state.decomposition.ranks == 1
                         ? DEM_OK
                         : DEM_MPI_STATUS(MPI_Bcast(&s, (int)sizeof s, MPI_BYTE, 0, d->state.decomposition.comm)));

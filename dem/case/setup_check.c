@@ -173,33 +173,33 @@ static int check_interface(const struct dem *d)
     return DEM_OK;
 }
 
-int dem_api_finish_physics(struct dem *d)
+int dem_sim_finish_physics(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     int made_of[DEM_PARTNERS][DEM_MATERIALS] = {{0}};
-    const double radius = dem_api_max_radius(d);
+    const double radius = dem_sim_max_radius(d);
 
-    for (int w = 0; w < p->walls.walls; w++)
+    for (int w = 0; w < state->walls.walls; w++)
     {
-        const struct dem_wall *const wall = &p->walls.wall[w];
+        const struct dem_wall *const wall = &state->walls.wall[w];
 
         made_of[DEM_PARTNER_WALL + wall->frictionless][wall->material] = 1;
     }
-    int status = dem_interaction_table_freeze(&p->interaction_table, made_of);
+    int status = dem_interaction_table_freeze(&state->interaction_table, made_of);
 
     status = status ? status : check_rows(d);
     status = status ? status : check_interface(d);
     if (!status)
     {
-        limit_step_by_walls(&p->interaction_table, &p->walls);
+        limit_step_by_walls(&state->interaction_table, &state->walls);
     }
     status = status ? status : choose_step(d);
     status = status ? status : check_periodic_widths(d, radius);
     dem_stages_limit_motions(d);
-    dem_domain_make_walls_periodic(&p->domain, wall_reach(d, radius), &p->walls);
-    status = status ? status : dem_walls_finish(&p->walls, radius > 0.0 ? radius : 1.0);
-    status = status ? status : dem_domain_check_walls(&p->domain, &p->walls, radius);
-    DEM_TRY(dem_wall_store_finish(&p->wall_store, status, &p->walls));
+    dem_domain_make_walls_periodic(&state->domain, wall_reach(d, radius), &state->walls);
+    status = status ? status : dem_walls_finish(&state->walls, radius > 0.0 ? radius : 1.0);
+    status = status ? status : dem_domain_check_walls(&state->domain, &state->walls, radius);
+    DEM_TRY(dem_wall_store_finish(&state->wall_store, status, &state->walls));
     return check_wall_speeds(d, min_radius(d));
 }
 
@@ -221,7 +221,7 @@ static int add_allowed(const struct dem_case *c)
 }
 
 /* Radii by material and ratios of parcels, of particles that the scene inserts and of those that the program added. */
-int dem_api_add_radii(struct dem_case *c)
+int dem_sim_add_radii(struct dem_case *c)
 {
     struct dem *const d = c->d;
     struct dem_interaction_table *const r = &d->state.interaction_table;
@@ -263,12 +263,12 @@ static int check_bonds(const struct dem_case *c)
     return DEM_OK;
 }
 
-int dem_api_check_scene(struct dem_case *c)
+int dem_sim_check_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
     DEM_TRY(dem_dict_refuse_unread(d->dict));
-    DEM_TRY(dem_api_check_clumps(c));
+    DEM_TRY(dem_sim_check_clumps(c));
     DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));
     if (c->load_path[0])
     {
@@ -276,5 +276,5 @@ int dem_api_check_scene(struct dem_case *c)
     }
     DEM_TRY(check_bonds(c));
     DEM_TRY(dem_insert_check_domain(&d->scene.insertion, &d->state.domain));
-    return dem_api_add_radii(c);
+    return dem_sim_add_radii(c);
 }

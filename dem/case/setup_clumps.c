@@ -101,7 +101,7 @@ static int check_width(const struct dem *d, const struct dem_clump_shape *s)
     return DEM_OK;
 }
 
-int dem_api_check_clumps(struct dem_case *c)
+int dem_sim_check_clumps(struct dem_case *c)
 {
     const struct dem_clump_shapes *const s = &c->d->scene.shapes;
 
@@ -170,21 +170,21 @@ static int begin_heat(struct dem *d)
 }
 
 /* Bodies of a snapshot come with their state, and need the column of it. */
-int dem_api_begin_clumps(struct dem *d)
+int dem_sim_begin_clumps(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
-    const int column = dem_column(&p->particles, DEM_COLUMN_CLUMP) != NULL;
-    double reach = column ? dem_clumps_reach(&p->particles) : 0.0;
+    struct dem_state *const state = &d->state;
+    const int column = dem_column(&state->particles, DEM_COLUMN_CLUMP) != NULL;
+    double reach = column ? dem_clumps_reach(&state->particles) : 0.0;
 
-    for (size_t i = 0; i < p->particles.n && column; i++)
+    for (size_t i = 0; i < state->particles.n && column; i++)
     {
         DEM_TRY(check_body(d, i));
     }
-    for (size_t i = 0; i < p->particles.n && !column; i++)
+    for (size_t i = 0; i < state->particles.n && !column; i++)
     {
-        DEM_REQUIRE(p->particles.record[i].body == 0, DEM_ERROR_INPUT,
+        DEM_REQUIRE(state->particles.record[i].body == 0, DEM_ERROR_INPUT,
                     "particle %lld of the snapshot is a sphere of a clump, but the scene has no shapes; "
-                    "add the shapes of the run that wrote it", (long long)p->particles.record[i].id);
+                    "add the shapes of the run that wrote it", (long long)state->particles.record[i].id);
     }
     for (size_t k = 0; k < d->scene.shapes.n; k++)
     {
@@ -192,10 +192,10 @@ int dem_api_begin_clumps(struct dem *d)
     }
     if (column)
     {
-        dem_collect_max_double(&p->decomposition, &reach, 1);
-        p->halo.clump_reach = reach;
+        dem_collect_max_double(&state->decomposition, &reach, 1);
+        state->halo.clump_reach = reach;
     }
     DEM_TRY(begin_flow(d));
     DEM_TRY(begin_heat(d));
-    return dem_collect_status(&p->decomposition);
+    return dem_collect_status(&state->decomposition);
 }

@@ -11,18 +11,18 @@
 #include <math.h>
 
 /* `flags`: of particles with one of them only; 0: of all. */
-static int refuse(struct dem_state *p, double limit, unsigned flags)
+static int refuse(struct dem_state *state, double limit, unsigned flags)
 {
     struct dem_overlap pair, wall;
 
-    dem_totals_max_overlap(p, flags, &pair, &wall);
+    dem_totals_max_overlap(state, flags, &pair, &wall);
     DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
                 "start, the limit is %g; move it, place its group by \"inside walls;\", or raise "
                 "time/maxStartOverlap",
                 (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
-                p->walls.wall[wall.partner].name, wall.fraction, limit);
+                state->walls.wall[wall.partner].name, wall.fraction, limit);
     DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,
                 "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
                 "start, the limit is %g; move them apart, or raise time/maxStartOverlap",
@@ -31,7 +31,7 @@ static int refuse(struct dem_state *p, double limit, unsigned flags)
     return DEM_OK;
 }
 
-int dem_api_refuse_overlap(struct dem *d)
+int dem_sim_refuse_overlap(struct dem *d)
 {
     return refuse(&d->state, d->scene.max_start_overlap, 0);
 }
@@ -55,35 +55,35 @@ static int refuse_other_walls(const struct dem_case *c)
     return DEM_OK;
 }
 
-int dem_api_with_lists(struct dem *d, int (*look)(struct dem *))
+int dem_sim_with_lists(struct dem *d, int (*look)(struct dem *))
 {
-    struct dem_state *const p = &d->state;
-    const int64_t rebuilds = p->rebuilds, prunes = p->prunes;
-    const size_t losses = p->lost_particles->n, broke = p->bonds->n;
+    struct dem_state *const state = &d->state;
+    const int64_t rebuilds = state->rebuilds, prunes = state->prunes;
+    const size_t losses = state->lost_particles->n, broke = state->bonds->n;
     struct dem_backup backup = {.valid = 0};
 
-    dem_flows_backup(p->flows);
-    int status = dem_api_agree(d, dem_backup_save(&backup, &p->particles, &p->contacts,
-                                                  p->pairs.wall_facet));
+    dem_flows_backup(state->flows);
+    int status = dem_sim_agree(d, dem_backup_save(&backup, &state->particles, &state->contacts,
+                                                  state->pairs.wall_facet));
 
     if (status)
     {
         dem_backup_free(&backup);
         return status;
     }
-    status = dem_neighbor_rebuild(p);
-    status = dem_collect_agree(&p->decomposition, status ? status : look(d));
-    const int restored = dem_backup_restore(&backup, &p->particles, &p->contacts);
+    status = dem_neighbor_rebuild(state);
+    status = dem_collect_agree(&state->decomposition, status ? status : look(d));
+    const int restored = dem_backup_restore(&backup, &state->particles, &state->contacts);
 
     status = status ? status : restored;
     dem_backup_free(&backup);
-    p->stale = 2;
-    p->limits.overlap = 0.0;
-    dem_flows_restore(p->flows);
-    p->lost_particles->n = losses;
-    p->bonds->n = broke;
-    p->rebuilds = rebuilds;
-    p->prunes = prunes;
+    state->neighbor_lists = DEM_LISTS_NONE;
+    state->limits.overlap = 0.0;
+    dem_flows_restore(state->flows);
+    state->lost_particles->n = losses;
+    state->bonds->n = broke;
+    state->rebuilds = rebuilds;
+    state->prunes = prunes;
     return status;
 }
 
@@ -92,12 +92,12 @@ static int measure_overlap(struct dem *d)
     return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
 }
 
-int dem_api_refuse_new_overlap(struct dem *d)
+int dem_sim_refuse_new_overlap(struct dem *d)
 {
     return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
 }
 
-int dem_api_check_inserted(struct dem_case *c)
+int dem_sim_check_inserted(struct dem_case *c)
 {
     struct dem_particles *const p = &c->d->state.particles;
 
@@ -105,7 +105,7 @@ int dem_api_check_inserted(struct dem_case *c)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_api_with_lists(c->d, dem_api_refuse_new_overlap));
+    DEM_TRY(dem_sim_with_lists(c->d, dem_sim_refuse_new_overlap));
     for (size_t i = 0; i < p->n; i++)
     {
         p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;
@@ -113,12 +113,12 @@ int dem_api_check_inserted(struct dem_case *c)
     return DEM_OK;
 }
 
-int dem_api_check_start(struct dem_case *c)
+int dem_sim_check_start(struct dem_case *c)
 {
     if (!c->new_run || c->d->state.walls.walls == 0)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_api_with_lists(c->d, measure_overlap));
+    DEM_TRY(dem_sim_with_lists(c->d, measure_overlap));
     return refuse_other_walls(c);
 }

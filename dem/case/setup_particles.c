@@ -70,7 +70,7 @@ static int add_every_nth(struct dem_case *c, int64_t *id)
 }
 
 /* Particles of dem_case_add_particles join those that the scene inserts. */
-int dem_api_join_initial(struct dem_case *c)
+int dem_sim_join_initial(struct dem_case *c)
 {
     struct dem *const d = c->d;
     int64_t *id;
@@ -89,7 +89,7 @@ int dem_api_join_initial(struct dem_case *c)
 }
 
 /* Append this rank's part to the particle arrays. */
-int dem_api_store_initial(struct dem *d, size_t from)
+int dem_sim_store_initial(struct dem *d, size_t from)
 {
     const struct dem_initial_particles *const c = &d->scene.initial;
     struct dem_particles *const p = &d->state.particles;
@@ -117,7 +117,7 @@ int dem_api_store_initial(struct dem *d, size_t from)
 
 /* A uniform fluid fills the columns once; with a coupled one every particle is marked as not yet
    located in the mesh. */
-void dem_api_init_fluid(struct dem *d)
+void dem_sim_init_fluid(struct dem *d)
 {
     struct dem_particles *const p = &d->state.particles;
     const double mean =
@@ -271,19 +271,19 @@ static void freeze_or_free(struct dem_case *c)
 }
 
 /* Resume the window that was interrupted when the snapshot was written. */
-static void resume_window(struct dem_state *p, const struct dem_snapshot_window *w)
+static void resume_window(struct dem_state *state, const struct dem_snapshot_window *w)
 {
-    p->window.half_step_ahead = w->ahead > 0;
-    p->window.steps = w->ahead;
-    p->window.steps_before = p->steps - w->done;
-    p->window.start = w->opened;
-    p->dt = w->dt;
-    p->window.length = w->dt*(double)w->ahead;
+    state->window.half_step_ahead = w->ahead > 0;
+    state->window.steps = w->ahead;
+    state->window.steps_before = state->steps - w->done;
+    state->window.start = w->opened;
+    state->dt = w->dt;
+    state->window.length = w->dt*(double)w->ahead;
 }
 
 /* A scene that starts from a snapshot (entry `start`) counts its own streams from 0; the ids
    go on behind the file's. */
-int dem_api_begin_flows(struct dem_case *c)
+int dem_sim_begin_flows(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
@@ -295,38 +295,38 @@ int dem_api_begin_flows(struct dem_case *c)
     return dem_residence_begin(&d->state, d->before.text);
 }
 
-int dem_api_create_particles(struct dem_case *c)
+int dem_sim_create_particles(struct dem_case *c)
 {
     struct dem *const d = c->d;
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     struct dem_snapshot s;
 
     d->program_particles = c->initial.n > 0;
-    dem_particles_init(&p->particles, column_groups(c));
-    DEM_TRY(dem_scalars_add_columns(&p->particles, &p->interaction_table));
-    DEM_TRY(dem_api_agree(d, dem_particles_grow(&p->particles, 1)));
+    dem_particles_init(&state->particles, column_groups(c));
+    DEM_TRY(dem_scalars_add_columns(&state->particles, &state->interaction_table));
+    DEM_TRY(dem_sim_agree(d, dem_particles_grow(&state->particles, 1)));
     if (c->load_path[0])
     {
         /* a rank may have the only particle that is refused */
-        DEM_TRY(dem_api_agree(d, dem_snapshot_read_particles(c->load_path, &s, &p->decomposition,
-                                                             &p->interaction_table,
-                                                             &p->particles)));
-        p->time = s.time;
-        p->steps = s.steps;
-        resume_window(p, &s.window);
-        remove_added_mass(&p->particles);
+        DEM_TRY(dem_sim_agree(d, dem_snapshot_read_particles(c->load_path, &s, &state->decomposition,
+                                                             &state->interaction_table,
+                                                             &state->particles)));
+        state->time = s.time;
+        state->steps = s.steps;
+        resume_window(state, &s.window);
+        remove_added_mass(&state->particles);
         memcpy(&c->snapshot_skins, s.skin_tuning, sizeof c->snapshot_skins);
         c->snapshot_flows = s;
         freeze_or_free(c);
-        DEM_TRY(dem_api_agree(d, complete_scalars(c)));
-        return dem_api_compare_scene(c);
+        DEM_TRY(dem_sim_agree(d, complete_scalars(c)));
+        return dem_sim_compare_scene(c);
     }
     DEM_TRY(dem_stages_start(d, 0));
-    DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &p->interaction_table,
-                             &p->walls, &p->decomposition));
-    DEM_TRY(dem_api_join_initial(c));
+    DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &state->interaction_table,
+                             &state->walls, &state->decomposition));
+    DEM_TRY(dem_sim_join_initial(c));
     dem_insert_free(&d->scene.insertion);
-    DEM_TRY(dem_api_store_initial(d, 0));
+    DEM_TRY(dem_sim_store_initial(d, 0));
     dem_initial_particles_release(&d->scene.initial);
     dem_initial_particles_release(&c->initial);
     return DEM_OK;

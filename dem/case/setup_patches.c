@@ -9,7 +9,7 @@
 #include "core/memory.h"
 #include <string.h>
 
-struct dem_flow_patch *dem_api_find_patch(const struct dem *d, const char *name)
+struct dem_flow_patch *dem_sim_find_patch(const struct dem *d, const char *name)
 {
     for (size_t k = 0; k < d->patches; k++)
     {
@@ -21,7 +21,7 @@ struct dem_flow_patch *dem_api_find_patch(const struct dem *d, const char *name)
     return NULL;
 }
 
-int dem_api_gather_patch(struct dem *d, int status, struct dem_flow_patch *patch, int64_t n,
+int dem_sim_gather_patch(struct dem *d, int status, struct dem_flow_patch *patch, int64_t n,
                          const double *triangles, const double *velocity)
 {
     double *mine = NULL, *all;    /* 12 numbers a triangle, as in struct dem_flow_patch */
@@ -36,7 +36,7 @@ int dem_api_gather_patch(struct dem *d, int status, struct dem_flow_patch *patch
             memcpy(mine + 12*t + 9, velocity + 3*t, 3*sizeof *mine);
         }
     }
-    status = dem_api_gather(&d->state, status, 12, (size_t)n, mine, &all, &total);
+    status = dem_sim_gather(&d->state, status, 12, (size_t)n, mine, &all, &total);
     dem_memory_free(mine);
     DEM_TRY(status);
     dem_memory_free(patch->triangles);
@@ -45,7 +45,7 @@ int dem_api_gather_patch(struct dem *d, int status, struct dem_flow_patch *patch
     return DEM_OK;
 }
 
-int dem_api_give_patch(struct dem *d, const struct dem_flow_patch *patch)
+int dem_sim_give_patch(struct dem *d, const struct dem_flow_patch *patch)
 {
     double *corners = NULL, *velocity = NULL;
     int status = DEM_NEW(corners, 9*patch->n + 1);
@@ -70,12 +70,12 @@ int dem_api_give_patch(struct dem *d, const struct dem_flow_patch *patch)
     return status;
 }
 
-int dem_api_assign_patches(struct dem *d)
+int dem_sim_assign_patches(struct dem *d)
 {
     d->scene.streams.meshed = d->flow_on_request;
     for (size_t k = 0; k < d->patches; k++)
     {
-        DEM_TRY(dem_api_give_patch(d, &d->patch[k]));
+        DEM_TRY(dem_sim_give_patch(d, &d->patch[k]));
     }
     return DEM_OK;
 }

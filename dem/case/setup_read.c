@@ -100,41 +100,42 @@ static int enable_exchanges(struct dem_case *c)
 static int read_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
-    DEM_TRY(dem_scene_read_materials(d->dict, &p->interaction_table));
-    dem_api_begin_walls(d);
-    DEM_TRY(dem_api_add_mesh_walls(d));
-    DEM_TRY(dem_api_agree(d, dem_scene_read(&d->scene, d->dict, &p->interaction_table, &p->walls, &p->domain)));
-    DEM_TRY(dem_api_begin_bodies(d));
-    p->cell = d->scene.cell;
-    DEM_TRY(dem_scene_read_forces(d->dict, &p->interaction_table, &p->applied_forces));
-    DEM_TRY(dem_api_assign_patches(d));
+    DEM_TRY(dem_scene_read_materials(d->dict, &state->interaction_table));
+    dem_sim_begin_walls(d);
+    DEM_TRY(dem_sim_add_mesh_walls(d));
+    DEM_TRY(dem_sim_agree(d, dem_scene_read(&d->scene, d->dict, &state->interaction_table,
+                                            &state->walls, &state->domain)));
+    DEM_TRY(dem_sim_begin_bodies(d));
+    state->cell = d->scene.cell;
+    DEM_TRY(dem_scene_read_forces(d->dict, &state->interaction_table, &state->applied_forces));
+    DEM_TRY(dem_sim_assign_patches(d));
     if (d->scene.snapshot && !c->load_path[0])
     {
         DEM_TRY(dem_case_start_from(c, d->scene.snapshot));
         c->scene_start = 1;
     }
-    p->limits.limit = d->scene.max_overlap;
-    p->limits.max_speed = d->scene.max_speed;
-    p->interaction_table.fluid_density =
+    state->limits.overlap_limit = d->scene.max_overlap;
+    state->limits.speed_limit = d->scene.max_speed;
+    state->interaction_table.fluid_density =
         d->scene.fluid.given ? d->scene.fluid.density : c->fluid_density;
     DEM_TRY(decide_fluid(d));
     DEM_TRY(enable_exchanges(c));
     list_effects(d);
     DEM_TRY(dem_stages_check(d));
     DEM_TRY(dem_cell_refuse(d));
-    return dem_api_check_scene(c);
+    return dem_sim_check_scene(c);
 }
 
-int dem_api_read_scene(struct dem_case *c)
+int dem_sim_read_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
-    int status = dem_api_agree(d, read_scene(c));    /* the first rank alone reads surfaces */
+    int status = dem_sim_agree(d, read_scene(c));    /* the first rank alone reads surfaces */
 
     if (!status && !c->load_path[0])
     {
-        status = dem_api_agree(d, dem_api_finish_physics(d));
+        status = dem_sim_agree(d, dem_sim_finish_physics(d));
     }
     c->checked = status ? -1 : 1;
     return status;
@@ -148,7 +149,7 @@ int dem_case_check(struct dem_case *c)
                 c->checked < 0 ? ", and has failed; call dem_case_free and start again" : "");
     DEM_REQUIRE(c->d->dict, DEM_ERROR_STATE, "dem_case_check comes after the scene has been read");
     feholdexcept(&caller);
-    const int status = dem_api_read_scene(c);
+    const int status = dem_sim_read_scene(c);
 
     fesetenv(&caller);
     return status;

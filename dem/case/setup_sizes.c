@@ -12,20 +12,20 @@
 #include <math.h>
 
 /* All ranks get the same range of ratios. */
-static int find_ratios(struct dem_state *p)
+static int find_ratios(struct dem_state *state)
 {
-    struct dem_parcels_entry *const range = &p->interaction_table.parcels;
+    struct dem_parcels_entry *const range = &state->interaction_table.parcels;
     double min[2] = {DBL_MAX, 0.0};
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const double l = dem_scalar_values(&p->particles, range->scalar)[i];
+        const double l = dem_scalar_values(&state->particles, range->scalar)[i];
 
         min[0] = fmin(min[0], l);
         min[1] = fmin(min[1], -l);
     }
-    dem_collect_min_double(&p->decomposition, min, 2);
-    DEM_TRY(dem_collect_status(&p->decomposition));
+    dem_collect_min_double(&state->decomposition, min, 2);
+    DEM_TRY(dem_collect_status(&state->decomposition));
     range->min = min[0] < DBL_MAX ? min[0] : 0.0;
     range->max = -min[1];
     return DEM_OK;
@@ -49,9 +49,9 @@ static void find_bodies(const struct dem *d, double least[DEM_MATERIALS])
     }
 }
 
-int dem_api_find_radii(struct dem *d)
+int dem_sim_find_radii(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     /* the smallest radii, the negative of the largest, the smallest bodies: one reduction */
     double min[3*DEM_MATERIALS];
 
@@ -62,21 +62,21 @@ int dem_api_find_radii(struct dem *d)
         min[2*DEM_MATERIALS + m] = DBL_MAX;
     }
     find_bodies(d, min + 2*DEM_MATERIALS);
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_particle *const r = &state->particles.record[i];
 
         min[r->material] = fmin(min[r->material], r->radius);
         min[DEM_MATERIALS + r->material] = fmin(min[DEM_MATERIALS + r->material], -r->radius);
     }
-    dem_collect_min_double(&p->decomposition, min, 3*DEM_MATERIALS);
-    DEM_TRY(dem_collect_status(&p->decomposition));
+    dem_collect_min_double(&state->decomposition, min, 3*DEM_MATERIALS);
+    DEM_TRY(dem_collect_status(&state->decomposition));
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
-        p->interaction_table.min_radius[m] = min[m] < DBL_MAX ? min[m] : 0.0;
-        p->interaction_table.max_radius[m] = -min[DEM_MATERIALS + m];
-        p->interaction_table.body_volume[m] =
+        state->interaction_table.min_radius[m] = min[m] < DBL_MAX ? min[m] : 0.0;
+        state->interaction_table.max_radius[m] = -min[DEM_MATERIALS + m];
+        state->interaction_table.body_volume[m] =
             min[2*DEM_MATERIALS + m] < DBL_MAX ? min[2*DEM_MATERIALS + m] : 0.0;
     }
-    return p->interaction_table.parcels.used ? find_ratios(p) : DEM_OK;
+    return state->interaction_table.parcels.used ? find_ratios(state) : DEM_OK;
 }

@@ -12,19 +12,19 @@
 
 /* Collective. Hold all triangles of a wall from its first movement on. Wall neighbors keep their
    triangles and facets, which now have other indices. */
-static int follow(struct dem_state *p, int wall)
+static int follow(struct dem_state *state, int wall)
 {
-    struct dem_wall_search *const s = &p->pairs.wall_search;
+    struct dem_wall_search *const s = &state->pairs.wall_search;
 
-    if (p->decomposition.ranks == 1 || p->walls.wall[wall].follows_mesh)
+    if (state->decomposition.ranks == 1 || state->walls.wall[wall].follows_mesh)
     {
         return DEM_OK;
     }
-    dem_wall_search_use_indices(s, &p->walls);
-    DEM_TRY(dem_wall_store_follow(&p->wall_store, &p->walls, wall));
-    dem_wall_search_use_held(s, &p->walls);
-    return dem_collect_agree(&p->decomposition,
-                             dem_wall_search_prepare(s, &p->walls, s->radius));
+    dem_wall_search_use_indices(s, &state->walls);
+    DEM_TRY(dem_wall_store_follow(&state->wall_store, &state->walls, wall));
+    dem_wall_search_use_held(s, &state->walls);
+    return dem_collect_agree(&state->decomposition,
+                             dem_wall_search_prepare(s, &state->walls, s->radius));
 }
 
 /* The original triangles stay; each call overwrites the moved ones. */
@@ -41,7 +41,7 @@ static int copy_moved_corners(struct dem_mesh_wall *w, int64_t n, const double *
     return DEM_OK;
 }
 
-int dem_api_copy_corners(struct dem *d, const char *call, const char *name, int64_t n,
+int dem_sim_copy_corners(struct dem *d, const char *call, const char *name, int64_t n,
                          const double *triangles, struct dem_mesh_wall **wall)
 {
     size_t k = 0;
@@ -53,10 +53,10 @@ int dem_api_copy_corners(struct dem *d, const char *call, const char *name, int6
     DEM_REQUIRE(k < d->mesh_walls, DEM_ERROR_INPUT,
                 "%s: there is no wall %s of dem_case_add_wall", call, name);
     *wall = &d->mesh_wall[k];
-    return dem_api_agree(d, copy_moved_corners(*wall, n, triangles));
+    return dem_sim_agree(d, copy_moved_corners(*wall, n, triangles));
 }
 
-int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
+int dem_sim_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
 {
     struct dem_walls *const w = &d->state.walls;
     const int wall = dem_walls_named(w, m->name);
@@ -64,7 +64,7 @@ int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
     size_t n;
 
     DEM_TRY(follow(&d->state, wall));
-    DEM_TRY(dem_api_gather(&d->state, DEM_OK, 9, m->n, m->moved, &corners, &n));
+    DEM_TRY(dem_sim_gather(&d->state, DEM_OK, 9, m->n, m->moved, &corners, &n));
     const int status = now ? dem_walls_set_corners(w, wall, n, corners)
                            : dem_walls_set_target(w, wall, n, corners);
 
@@ -72,19 +72,19 @@ int dem_api_move_wall(struct dem *d, const struct dem_mesh_wall *m, int now)
     return status;
 }
 
-int dem_api_position_mesh_walls(struct dem *d)
+int dem_sim_position_mesh_walls(struct dem *d)
 {
     for (size_t k = 0; k < d->mesh_walls; k++)
     {
         if (d->mesh_wall[k].moved)
         {
-            DEM_TRY(dem_api_move_wall(d, &d->mesh_wall[k], 1));
+            DEM_TRY(dem_sim_move_wall(d, &d->mesh_wall[k], 1));
         }
     }
     return DEM_OK;
 }
 
-int dem_api_add_mesh_walls(struct dem *d)
+int dem_sim_add_mesh_walls(struct dem *d)
 {
     for (size_t k = 0; k < d->mesh_walls; k++)
     {
@@ -95,7 +95,7 @@ int dem_api_add_mesh_walls(struct dem *d)
                                                          m->name, &material);
 
         status = status ? status : dem_walls_add(&d->state.walls, m->name, material, &wall);
-        DEM_TRY(dem_api_agree(d, status));
+        DEM_TRY(dem_sim_agree(d, status));
         /* the walls sort their triangles, so the order of the ranks has no influence */
         DEM_TRY(dem_wall_store_add(&d->state.wall_store, &d->state.walls, wall, m->n,
                                    m->triangles));
@@ -125,7 +125,7 @@ static int places_inside(const struct dem_dict *scene)
     return inside;
 }
 
-void dem_api_begin_walls(struct dem *d)
+void dem_sim_begin_walls(struct dem *d)
 {
     dem_wall_store_begin(&d->state.wall_store, &d->state.walls, places_inside(d->dict));
 }

@@ -19,9 +19,8 @@
 DEM_MATH void dem_geometry_pair(const struct dem_gathered *g, int c, double dt,
                                 struct dem_contact_row *r)
 {
-    const double x = g->rx[c], y = g->ry[c], z = g->rz[c], distance = sqrt(x*x + y*y + z*z);
-    const double half_dt = (0.5*dt), rx = x, ry = y,
-                   rz = z, d = distance;
+    const double half_dt = 0.5*dt;
+    const double rx = g->rx[c], ry = g->ry[c], rz = g->rz[c], d = sqrt(rx*rx + ry*ry + rz*rz);
     const double hx = rx - half_dt*g->vx[c], hy = ry - half_dt*g->vy[c],
                    hz = rz - half_dt*g->vz[c];
     const double h = sqrt(hx*hx + hy*hy + hz*hz), nonzero_d = dem_select(d > 0, d, 1),
@@ -39,7 +38,7 @@ DEM_MATH void dem_geometry_pair(const struct dem_gathered *g, int c, double dt,
     r->hx = dem_select(h > 0, hx*over_h, 1);
     r->hy = hy*over_h;
     r->hz = hz*over_h;
-    r->overlap = (g->radii[c] - distance);
+    r->overlap = radii - d;
     r->reduced_radius = radius*other*(over_mass*over_sums);
     r->reduced_mass = radii*over_sums;
     r->min_radius = dem_select(radius < other, radius, other);

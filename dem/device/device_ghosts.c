@@ -14,12 +14,12 @@
 
 static size_t count_sent(const struct dem_halo *h)
 {
-    return h->send_ranks > 0 ? h->send[DEM_HALO_CANDIDATES].start[h->send_ranks] : 0;
+    return h->send_ranks > 0 ? h->send[DEM_HALO_NEEDED].start[h->send_ranks] : 0;
 }
 
 static size_t count_received(const struct dem_halo *h)
 {
-    return h->receive_ranks > 0 ? h->receive[DEM_HALO_CANDIDATES].start[h->receive_ranks] : 0;
+    return h->receive_ranks > 0 ? h->receive[DEM_HALO_NEEDED].start[h->receive_ranks] : 0;
 }
 
 static size_t width_of(const struct dem_state *state)
@@ -30,9 +30,9 @@ static size_t width_of(const struct dem_state *state)
 int dem_device_put_ghosts(struct dem_device *d, const struct dem_halo *h)
 {
     DEM_TRY(dem_opencl_put(d->cl, &d->ghosts_out, count_sent(h)*sizeof(uint32_t),
-                           h->send[DEM_HALO_CANDIDATES].index));
+                           h->send[DEM_HALO_NEEDED].index));
     return dem_opencl_put(d->cl, &d->ghosts_in, count_received(h)*sizeof(uint32_t),
-                          h->receive[DEM_HALO_CANDIDATES].index);
+                          h->receive[DEM_HALO_NEEDED].index);
 }
 
 static int pack(struct dem_device *d, const struct dem_state *state, uint32_t s)
@@ -58,7 +58,7 @@ int dem_device_send_ghosts(struct dem_device *d, struct dem_state *state, uint32
     status = status ? status : pack(d, state, s);
     *fastest = status ? INFINITY : h->send_buffer[count_sent(h)*width_of(state)];
     /* a rank that has failed sends what is there: the others wait for it */
-    dem_halo_post(h, DEM_HALO_CANDIDATES, (int)width_of(state));
+    dem_halo_post(h, DEM_HALO_NEEDED, (int)width_of(state));
     status = dem_agree_max(state, status, fastest, 1);
     dem_halo_wait(h);
     return status;

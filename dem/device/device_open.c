@@ -100,7 +100,7 @@ static void choose_skins(struct dem_device *d, struct dem_state *state)
     d->max_skin = fmax(max, outer);
     d->list_steps = state->decomposition.ranks > 1 ? LIST_STEPS_OF_HOST : LIST_STEPS;
     dem_skins_init(s, (const double[2]){outer, outer}, 0, outer, d->max_skin);
-    state->stale = state->stale == 2 ? 2 : 1;
+    dem_request_rebuild(state);
 }
 
 double dem_device_skin(const struct dem_device *d, double speed, double dt)

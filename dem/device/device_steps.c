@@ -117,7 +117,7 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .number = state->steps + steps->made,
         .applied = (uint32_t)state->applied_forces.n,
         /* a margin for rounding: the host decides */
-        .max_overlap = state->limits.limit*(1.0 - 0x1p-20),
+        .overlap_limit = state->limits.overlap_limit*(1.0 - 0x1p-20),
         .overlap = (float)state->limits.overlap,
         .start = (float)(p->moved*(1.0 + 1e-6)),
         .particles = (uint32_t)state->particles.n,

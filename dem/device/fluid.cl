@@ -159,7 +159,7 @@ static void dem_fluid_kick(global double *restrict columns, uint n, uint i, doub
     VECTOR(DRAG_IMPULSE, 1) += j[1];
     VECTOR(DRAG_IMPULSE, 2) += j[2];
     SCALAR(DECAY_FACTOR) *= 1.0 - z*phi;
-    SCALAR(DRAG_TIME) += particle_drag*h;
+    SCALAR(DRAG_INTEGRAL) += particle_drag*h;
 #ifdef COLUMN_OTHER_IMPULSE
     const double added =
 #ifdef COLUMN_ADDED_MASS

@@ -307,7 +307,7 @@ static void dem_row_check(constant struct dem_device_batch *b,
     {
         atomic_max((volatile global uint *)&report->overlap, as_uint(fraction));
     }
-    if (0.5*r->overlap >= b->max_overlap*r->min_radius)
+    if (0.5*r->overlap >= b->overlap_limit*r->min_radius)
     {
         dem_report_event(report, DEM_DEVICE_OVERLAP, s);
     }

@@ -76,7 +76,7 @@ struct dem_fluid
     double *slip_factor;                 /* in   1     change of the slip by a particle's motion,
                                             relative to a fluid of given velocity; 1 unless set,
                                             1/e^2 where continuity makes the fluid displace
-                                            (step/sweep_bodies.c) */
+                                            (laws/fluid/particle_exchange.h) */
     double *location;                    /* in/out  2 each, for the program: its location in the
                                             mesh; -1 for a new particle */
     const double *drag_impulse;          /* out  N s   3 each, J: drag on the particle during the
@@ -86,8 +86,8 @@ struct dem_fluid
                                             them. The fluid gets the opposite of this and of J */
     const double *angular_impulse;       /* out  N m s 3 each, of rotational drag; NULL without.
                                             Not given to the fluid */
-    const double *drag_time;             /* out  kg    sum of b h over the steps of the last
-                                            advance, b without slip_factor */
+    const double *drag_integral;         /* out  kg    of the drag coefficient b, without slip_factor,
+                                            over the time of the last advance: sum of b h */
     const double *response;              /* out  kg    R: d(drag impulse)/d(fluid velocity),
                                             bounded for held particles */
     const double *displacement;          /* out  m     3 each, in the last advance */

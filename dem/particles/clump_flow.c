@@ -212,7 +212,8 @@ static void add_impulses(const struct dem_clump_slot *slot, const struct dem_clu
                          struct dem_particles *p, int rest, double h)
 {
     double *const impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE),
-           *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR), *const time = dem_column(p, DEM_COLUMN_DRAG_TIME);
+           *const decay = dem_column(p, DEM_COLUMN_DECAY_FACTOR),
+           *const drag_integral = dem_column(p, DEM_COLUMN_DRAG_INTEGRAL);
     _Alignas(64) double J[4][DEM_CLUMP_LANES];
 
     find_drag(slot, f->row, s, h, J);
@@ -228,7 +229,7 @@ static void add_impulses(const struct dem_clump_slot *slot, const struct dem_clu
         impulse[3*i + 1] += J[1][c];
         impulse[3*i + 2] += J[2][c];
         decay[i] *= 1.0 - s->z[c]*s->phi[c];
-        time[i] += J[3][c];
+        drag_integral[i] += J[3][c];
         if (rest)
         {
             add_rest(&f->rest[i], h, s->phi_spin[c], p, i);
@@ -294,7 +295,7 @@ void dem_clump_flow_drag(const struct dem_clump_flow_row *r, const struct dem_cl
     }
 }
 
-void dem_clump_share_decay(const struct dem_clumps *c, const struct dem_particles *p, const double *time,
+void dem_clump_share_decay(const struct dem_clumps *c, const struct dem_particles *p, const double *integral,
                            double *decay, int per_mass)
 {
     for (size_t body = 0; body < c->n; body++)
@@ -303,14 +304,14 @@ void dem_clump_share_decay(const struct dem_clumps *c, const struct dem_particle
 
         for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
         {
-            sum += time[c->member[k]];
+            sum += integral[c->member[k]];
         }
         for (size_t k = c->start[body]; k < c->start[body + 1]; k++)
         {
             const size_t i = c->member[k];
             const double masses = per_mass ? dem_clump_at(p, i)->mass/p->record[i].mass : 1.0;
 
-            decay[i] = sum > 0.0 ? 1.0 - masses*time[i]/sum*(1.0 - decay[i]) : 1.0;
+            decay[i] = sum > 0.0 ? 1.0 - masses*integral[i]/sum*(1.0 - decay[i]) : 1.0;
         }
     }
 }
@@ -321,6 +322,6 @@ void dem_clump_flow_end_window(const struct dem_clumps *c, struct dem_particles 
 
     if (decay)
     {
-        dem_clump_share_decay(c, p, dem_column(p, DEM_COLUMN_DRAG_TIME), decay, 0);
+        dem_clump_share_decay(c, p, dem_column(p, DEM_COLUMN_DRAG_INTEGRAL), decay, 0);
     }
 }

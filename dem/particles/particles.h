@@ -87,16 +87,16 @@ enum dem_column_name
     DEM_COLUMN_TURBULENCE,               /* m2/s2, m2/s3  k, epsilon */
     DEM_COLUMN_EDDY,                     /* 1    4: fluctuation over sqrt(2 k/3), time left in the
                                             eddy over its mean (laws/fluid/eddy.h) */
-    DEM_COLUMN_SLIP_FACTOR,              /* 1    slip factor, see step/sweep_bodies.c */
+    DEM_COLUMN_SLIP_FACTOR,              /* 1    gamma of laws/fluid/particle_exchange.h */
     DEM_COLUMN_COUPLING_INDEX,           /* 2 numbers owned by the coupling, -1 when unset */
     DEM_COLUMN_DRAG_IMPULSE,             /* N s  J of this window */
     DEM_COLUMN_DECAY_FACTOR,             /* 1    decay factor: product of exp(-b dt/m) */
-    DEM_COLUMN_DRAG_TIME,                /* kg   sum of b dt */
+    DEM_COLUMN_DRAG_INTEGRAL,            /* kg   of the drag coefficient over time: sum of b dt */
     DEM_COLUMN_START_VELOCITY,           /* m/s  at the start of the window */
     DEM_COLUMN_DISPLACEMENT,             /* m    position at the start of the window; after
                                             its end the displacement in the window */
     DEM_COLUMN_RESPONSE,                 /* kg   R of this window */
-    DEM_COLUMN_DRAG_FRACTION,            /* 1    fraction of a steady force
+    DEM_COLUMN_TRANSMITTED_FRACTION,     /* 1    fraction of a steady force
                                             that drag transmits to the fluid */
     DEM_COLUMN_CARRIED_OVER_IMPULSE,     /* N s  carried-over impulse: from the last
                                             exchange, to be applied in this window */
@@ -114,7 +114,7 @@ enum dem_column_name
     DEM_COLUMN_FLUID_CHANGE,             /* m/s2 rate of the fluid velocity at
                                             the particle, over the last window */
     DEM_COLUMN_PREDICTED_ADDED_IMPULSE,  /* N s  predicted added-mass impulse,
-                                            see step/sweep_bodies.c */
+                                            see step/body_window.c */
     DEM_COLUMN_OTHER_IMPULSE,            /* N s  of this window, of forces that react */
     DEM_COLUMN_ANGULAR_IMPULSE,          /* N m s  of this window, of rotational drag */
     DEM_COLUMN_LOST_ENERGY,              /* J    dissipated so far by bonds and films: half

@@ -29,12 +29,12 @@
 /* limits check; reset by each query */
 struct dem_limits
 {
-    /* 1    largest overlap relative to the smaller diameter; the same of all queries */
-    double overlap, max_overlap;
+    /* 1    largest overlap relative to the smaller diameter: since the last query; before it */
+    double overlap, largest_overlap;
     /* 1    a larger overlap ends the run */
-    double limit;
+    double overlap_limit;
     /* m/s  a higher speed ends the run; 0: no limit */
-    double max_speed;
+    double speed_limit;
     /* ids of the contact with the largest overlap; j is -1 - facet at a wall */
     int64_t i, j;
     /* m    its position */
@@ -97,6 +97,16 @@ struct dem_progress
     double seconds, last;
 };
 
+/* the neighbor lists of the present particles */
+enum dem_lists_state
+{
+    DEM_LISTS_VALID,
+    /* to be rebuilt in the next step */
+    DEM_LISTS_REBUILD,
+    /* there are none of these particles, and no contact rows: after a load or an edit, for example */
+    DEM_LISTS_NONE
+};
+
 struct dem_state
 {
     struct dem_domain domain;
@@ -137,8 +147,7 @@ struct dem_state
     int64_t steps, rebuilds, prunes;
     struct dem_window window;
     struct dem_next_drift next_drift;
-    /* 1: rebuild the lists in the next step; 2: there are no lists of these particles yet */
-    int stale;
+    enum dem_lists_state neighbor_lists;
 
     /* all-reduces of dem_agree */
     int64_t agreements;
@@ -148,3 +157,12 @@ struct dem_state
     /* called during an advance */
     struct dem_progress progress;
 };
+
+/* Rebuild the neighbor lists in the next step. */
+static inline void dem_request_rebuild(struct dem_state *state)
+{
+    if (state->neighbor_lists == DEM_LISTS_VALID)
+    {
+        state->neighbor_lists = DEM_LISTS_REBUILD;
+    }
+}

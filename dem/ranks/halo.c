@@ -50,7 +50,7 @@ void dem_halo_free(struct dem_halo *h)
 
 /* ---- selection ------------------------------------------------------------------------------- */
 
-/* The same in a domain that is sheared: images are not a product of axes. */
+/* As box_in_reach below, in a sheared domain: its images are not a product of axes. */
 static int sheared_in_reach(const struct dem_domain *d, const double x[3], const double min[3],
                             const double max[3], double reach)
 {

@@ -25,7 +25,7 @@ enum
 enum dem_halo_set                                       /* sets of ghosts */
 {
     DEM_HALO_ALL,
-    DEM_HALO_CANDIDATES,                /* ghosts with contact rows: sufficient for a step */
+    DEM_HALO_NEEDED,                    /* in a step: ghosts with contact rows */
     DEM_HALO_SETS
 };
 
@@ -47,8 +47,8 @@ struct dem_halo
     int send_ranks, receive_ranks;        /* number of ranks to send to, to receive from */
     int *send_rank, *receive_rank;        /* these ranks */
     struct dem_halo_route send[DEM_HALO_SETS], receive[DEM_HALO_SETS];
-    uint8_t *needed_here, *needed_there;  /* 1: this ghost has rows here; this particle
-                                             has rows on the rank it is sent to */
+    uint8_t *needed_here, *needed_there;  /* 1: this ghost is needed here; this particle
+                                             is needed on the rank it is sent to */
     double *send_buffer, *receive_buffer;
     MPI_Request *request;
     int open_requests;                    /* number of open requests */
@@ -90,12 +90,12 @@ int dem_halo_build(struct dem_halo *, int status, struct dem_particles *, const 
                    double max_radius, double reach);
 
 /* After dem_halo_build: the memory of the next function. */
-int dem_halo_reserve_candidates(struct dem_halo *, const struct dem_particles *);
+int dem_halo_reserve_needed(struct dem_halo *, const struct dem_particles *);
 
-/* Collective, after a prune: select the ghosts that have contact rows and are needed in each step.
+/* Collective, after a prune: select the ghosts that are needed in each step.
    Does not allocate. An error of MPI is recorded (collect.h) and returned by the next agreement. */
-void dem_halo_select_candidates(struct dem_halo *, const struct dem_particles *,
-                                const struct dem_contacts *);
+void dem_halo_select_needed(struct dem_halo *, const struct dem_particles *,
+                            const struct dem_contacts *);
 
 /* Begin to send positions, velocities, spins and the columns ghost_step for the ghosts on other
    ranks; does not allocate. One of the two functions below must complete it before any other call of

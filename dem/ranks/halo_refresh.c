@@ -1,9 +1,9 @@
 /*
- * halo_refresh.c -- refreshes the ghosts in each step: either all, or those that have contact rows.
+ * halo_refresh.c -- refreshes the ghosts in each step: either all, or those that the step needs.
  *
- * Ghosts are selected by the outer skin, many more than a step needs. After a prune each rank
- * therefore marks the ghosts that have rows and sends the marks to the owners, one byte per ghost;
- * both sides know the ghosts and their order. All ghosts are refreshed only before the next prune.
+ * Ghosts are selected by the outer skin. A step needs far fewer: those with contact rows. After a
+ * prune each rank therefore tells the owners which ghosts it needs, by one byte per ghost; both sides
+ * know the ghosts and their order. All ghosts are refreshed only before the next prune.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -15,7 +15,7 @@
 enum
 {
     TAG_REFRESH = 72,
-    TAG_MARKS = 73
+    TAG_NEEDED = 73
 };
 
 static size_t count_of(const struct dem_halo_route *r, int ranks)
@@ -25,13 +25,13 @@ static size_t count_of(const struct dem_halo_route *r, int ranks)
 
 /* ---- selection ------------------------------------------------------------------------------- */
 
-static int reserve_route(struct dem_halo_route *near, const struct dem_halo_route *all, int ranks)
+static int reserve_route(struct dem_halo_route *needed, const struct dem_halo_route *all, int ranks)
 {
-    DEM_TRY(DEM_GROW(near->start, near->start_capacity, ranks + 2));
-    return DEM_GROW(near->index, near->capacity, count_of(all, ranks) + 1);
+    DEM_TRY(DEM_GROW(needed->start, needed->start_capacity, ranks + 2));
+    return DEM_GROW(needed->index, needed->capacity, count_of(all, ranks) + 1);
 }
 
-int dem_halo_reserve_candidates(struct dem_halo *h, const struct dem_particles *p)
+int dem_halo_reserve_needed(struct dem_halo *h, const struct dem_particles *p)
 {
     const struct dem_halo_route *const send = &h->send[DEM_HALO_ALL];
     const struct dem_halo_route *const receive = &h->receive[DEM_HALO_ALL];
@@ -42,8 +42,8 @@ int dem_halo_reserve_candidates(struct dem_halo *h, const struct dem_particles *
     }
     DEM_TRY(DEM_GROW(h->needed_here, h->needed_here_capacity, p->ghosts + 1));
     DEM_TRY(DEM_GROW(h->needed_there, h->needed_there_capacity, count_of(send, h->send_ranks) + 1));
-    DEM_TRY(reserve_route(&h->send[DEM_HALO_CANDIDATES], send, h->send_ranks));
-    return reserve_route(&h->receive[DEM_HALO_CANDIDATES], receive, h->receive_ranks);
+    DEM_TRY(reserve_route(&h->send[DEM_HALO_NEEDED], send, h->send_ranks));
+    return reserve_route(&h->receive[DEM_HALO_NEEDED], receive, h->receive_ranks);
 }
 
 static void mark_needed(struct dem_halo *h, const struct dem_particles *p,
@@ -79,7 +79,7 @@ static void open_request(struct dem_halo *h, const char *call, int code)
     }
 }
 
-static void exchange_marks(struct dem_halo *h)
+static void exchange_needed(struct dem_halo *h)
 {
     const size_t *const here = h->receive[DEM_HALO_ALL].start;
     const size_t *const there = h->send[DEM_HALO_ALL].start;
@@ -88,50 +88,50 @@ static void exchange_marks(struct dem_halo *h)
     {
         open_request(h, "MPI_Irecv",
                      MPI_Irecv(h->needed_there + there[k], (int)(there[k + 1] - there[k]), MPI_BYTE,
-                               h->send_rank[k], TAG_MARKS, h->decomposition->comm,
+                               h->send_rank[k], TAG_NEEDED, h->decomposition->comm,
                                &h->request[h->open_requests]));
     }
     for (int k = 0; k < h->receive_ranks; k++)
     {
         open_request(h, "MPI_Isend",
                      MPI_Isend(h->needed_here + here[k], (int)(here[k + 1] - here[k]), MPI_BYTE,
-                               h->receive_rank[k], TAG_MARKS, h->decomposition->comm,
+                               h->receive_rank[k], TAG_NEEDED, h->decomposition->comm,
                                &h->request[h->open_requests]));
     }
     dem_halo_wait(h);
 }
 
-/* Copy the marked entries of a route. */
-static void select_marked(struct dem_halo_route *near, const struct dem_halo_route *all, int ranks,
-                          const uint8_t *mark)
+/* Copy the needed entries of a route. */
+static void copy_needed(struct dem_halo_route *needed, const struct dem_halo_route *all, int ranks,
+                        const uint8_t *is_needed)
 {
     size_t kept = 0;
 
     for (int k = 0; k < ranks; k++)
     {
-        near->start[k] = kept;
+        needed->start[k] = kept;
         for (size_t i = all->start[k]; i < all->start[k + 1]; i++)
         {
-            near->index[kept] = all->index[i];
-            kept += mark[i];
+            needed->index[kept] = all->index[i];
+            kept += is_needed[i];
         }
-        near->start[k + 1] = kept;
+        needed->start[k + 1] = kept;
     }
 }
 
-void dem_halo_select_candidates(struct dem_halo *h, const struct dem_particles *p,
-                                const struct dem_contacts *c)
+void dem_halo_select_needed(struct dem_halo *h, const struct dem_particles *p,
+                            const struct dem_contacts *c)
 {
     if (h->decomposition->ranks == 1)
     {
         return;
     }
     mark_needed(h, p, c);
-    exchange_marks(h);
-    select_marked(&h->send[DEM_HALO_CANDIDATES], &h->send[DEM_HALO_ALL], h->send_ranks,
-                  h->needed_there);
-    select_marked(&h->receive[DEM_HALO_CANDIDATES], &h->receive[DEM_HALO_ALL], h->receive_ranks,
-                  h->needed_here);
+    exchange_needed(h);
+    copy_needed(&h->send[DEM_HALO_NEEDED], &h->send[DEM_HALO_ALL], h->send_ranks,
+                h->needed_there);
+    copy_needed(&h->receive[DEM_HALO_NEEDED], &h->receive[DEM_HALO_ALL], h->receive_ranks,
+                h->needed_here);
 }
 
 /* ---- refreshing ------------------------------------------------------------------------------ */

@@ -89,11 +89,11 @@ int dem_bonds_write_lines(struct dem_state *p, const char *says, const char *fol
     int status = DEM_OK;
 
     by.comment = says;
-    if (p->stale == 2 && p->steps > 0)
+    if (p->neighbor_lists == DEM_LISTS_NONE && p->steps > 0)
     {
         return DEM_OK;
     }
-    if (p->stale < 2)
+    if (p->neighbor_lists != DEM_LISTS_NONE)
     {
         status = dem_bonds_list(p, &n);
     }

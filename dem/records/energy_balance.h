@@ -204,7 +204,7 @@ void dem_energy_balance_add_content(const struct dem_state *, size_t particle, d
 
 struct dem_energy_balance_kick    /* a batch of particles after the kick */
 {
-    const struct dem_effect_list *bodies;
+    const struct dem_effect_list *effects;
     /* with velocities after the kick */
     const struct dem_body_batch *batch;
     /* N s impulse of drag */

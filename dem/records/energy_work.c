@@ -173,9 +173,9 @@ static double rotational_work(const struct dem_particle *r, const struct dem_ene
 void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct dem_particles *p,
                                    const struct dem_energy_balance_kick *k)
 {
-    for (int e = 0; e < k->bodies->entries; e++)
+    for (int e = 0; e < k->effects->entries; e++)
     {
-        const struct dem_effect *const effect = k->bodies->entry[e].effect;
+        const struct dem_effect *const effect = k->effects->entry[e].effect;
         struct dem_sum *const sum = dem_energy_balance_sums_of(l, effect);
         double (*const own)[DEM_BATCH_ROWS] = l->scratch->own[e];
         const int potential = effect->uniform_acceleration != NULL;    /* see gravity_work */

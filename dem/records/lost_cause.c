@@ -187,7 +187,7 @@ void dem_lost_cause_outside(const struct dem_state *p, size_t i, char cause[DEM_
 {
     cause[0] = 0;
     append_side(&p->domain, &p->particles.record[i], cause);
-    if (p->stale < 2)    /* otherwise there are no neighbor lists yet */
+    if (p->neighbor_lists != DEM_LISTS_NONE)
     {
         append_wall(p, i, cause);
         append_reason(p, i, DEM_ROW_NONE, cause);
@@ -240,9 +240,9 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
         "for example",
         (long long)p->particles.record[lawless->i].id, wall_name(p, lawless), p->time);
     DEM_REQUIRE(
-        status || !first || p->limits.limit > overlap_of_passage, DEM_ERROR_LOST,
+        status || !first || p->limits.overlap_limit > overlap_of_passage, DEM_ERROR_LOST,
         "particle %lld has passed wall %s at time %g s, with an overlap of half of a diameter; the limit time/maxOverlap is "
         "%g%s",
-        (long long)p->particles.record[first->i].id, wall_name(p, first), p->time, p->limits.limit, reason);
+        (long long)p->particles.record[first->i].id, wall_name(p, first), p->time, p->limits.overlap_limit, reason);
     return status;
 }

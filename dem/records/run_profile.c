@@ -90,6 +90,6 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
         f->wall += mean[k];
     }
     gather_counts(p, f);
-    f->largest_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
+    f->largest_overlap = fmax(p->limits.largest_overlap, p->limits.overlap);
     dem_totals_reduce_max(p, &f->largest_overlap, 1);
 }

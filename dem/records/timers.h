@@ -39,7 +39,7 @@ enum dem_phase
 
 struct dem_timers
 {
-    double spent[DEM_PHASES], untimed;   /* s; unseen: in steps that were not timed */
+    double spent[DEM_PHASES], untimed;   /* s, in each phase; in steps that were not timed */
     double last;                        /* s: last reading of the clock */
 
     double first_processor;             /* s: processor clock at the beginning */

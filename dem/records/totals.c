@@ -201,7 +201,7 @@ void dem_totals_tally(struct dem_state *p, struct dem_totals *t)
                                                          : 0.0,
                              .weight = dem_vec_norm(g)*value[7],
                              .bodies = count[3]};
-    p->limits.max_overlap = fmax(p->limits.max_overlap, p->limits.overlap);
+    p->limits.largest_overlap = fmax(p->limits.largest_overlap, p->limits.overlap);
     p->limits.overlap = 0.0;
     if (p->contacts.forces.has_energy)
     {

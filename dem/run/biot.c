@@ -16,7 +16,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_numbers.h"
 #include "laws/effects.h"
 #include <string.h>

@@ -7,7 +7,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/clock.h"
 #include "core/error.h"
@@ -48,7 +48,7 @@ static int check_fluid(const struct dem *d)
 {
     DEM_TRY(dem_require_fluid(d));
     DEM_TRY(check_weights(d));
-    DEM_TRY(d->coupled ? dem_api_agree(d, dem_api_require_fluid_scalars(d)) : DEM_OK);
+    DEM_TRY(d->coupled ? dem_sim_agree(d, dem_sim_require_fluid_scalars(d)) : DEM_OK);
     DEM_REQUIRE(!(d->coupled && d->driven), DEM_ERROR_INPUT,
                 "there are driven particles, which the balances of a coupled run do not know; make "
                 "them frozen, or let a wall move");
@@ -73,19 +73,19 @@ static const double max_steps = 0x1p53;    /* larger whole numbers are not exact
    number of steps. */
 static int continues_window(const struct dem *d, double duration)
 {
-    const struct dem_state *const p = &d->state;
-    const double rest = p->window.start + p->window.length - p->time;
+    const struct dem_state *const state = &d->state;
+    const double rest = state->window.start + state->window.length - state->time;
 
-    return p->window.half_step_ahead && fabs(duration - rest) <= 1e-3*p->dt
-        && ceil(p->window.length/d->step*(1.0 - 1e-12)) == (double)p->window.steps;
+    return state->window.half_step_ahead && fabs(duration - rest) <= 1e-3*state->dt
+        && ceil(state->window.length/d->step*(1.0 - 1e-12)) == (double)state->window.steps;
 }
 
 int dem_wall_move(struct dem *d, const char *name, int64_t n, const double *triangles)
 {
     struct dem_mesh_wall *wall;
 
-    DEM_TRY(dem_api_copy_corners(d, "dem_wall_move", name, n, triangles, &wall));
-    return dem_api_move_wall(d, wall, 0);
+    DEM_TRY(dem_sim_copy_corners(d, "dem_wall_move", name, n, triangles, &wall));
+    return dem_sim_move_wall(d, wall, 0);
 }
 
 /* One window of equal steps, or the rest of one that was stopped. */
@@ -103,7 +103,7 @@ int dem_advance(struct dem *d, double duration)
 {
     fenv_t caller;
 
-    DEM_TRY(dem_api_require_sound(d, "dem_advance"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_advance"));
     DEM_REQUIRE(isgreater(duration, 0.0) && isfinite(duration), DEM_ERROR_INPUT,
                 "duration %g s; give a time above 0", duration);
     DEM_TRY(check_fluid(d));
@@ -158,7 +158,7 @@ static int add_scene(struct dem *d, struct dem_snapshot_scene *scene, struct dem
 {
     size_t capacity = (size_t)*n;
 
-    DEM_TRY(dem_api_describe_scene(d, scene));
+    DEM_TRY(dem_sim_describe_scene(d, scene));
     DEM_TRY(DEM_GROW(*span, capacity, (size_t)*n + DEM_SNAPSHOT_SCENE_SPANS));
     dem_snapshot_scene_spans(scene, *span + *n);
     *n += DEM_SNAPSHOT_SCENE_SPANS;
@@ -167,27 +167,27 @@ static int add_scene(struct dem *d, struct dem_snapshot_scene *scene, struct dem
 
 static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *s)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     struct dem_grid_average_record *record = NULL;
     struct dem_snapshot_scene scene = {.text = NULL};
     struct dem_span *span = NULL;
     int status = DEM_OK;
 
     /* after dem_restore the sums hold later samples */
-    if (p->averages->grids > 0 && p->decomposition.rank == 0 && !d->restored)
+    if (state->averages->grids > 0 && state->decomposition.rank == 0 && !d->restored)
     {
-        status = dem_grid_averages_spans(p->averages, &record, &span, &s->caller_data_count);
+        status = dem_grid_averages_spans(state->averages, &record, &span, &s->caller_data_count);
     }
-    dem_wall_wear_gather(p);
-    if (p->decomposition.rank == 0)
+    dem_wall_wear_gather(state);
+    if (state->decomposition.rank == 0)
     {
         status = status ? status : add_scene(d, &scene, &span, &s->caller_data_count);
     }
-    status = dem_api_agree(d, status);
+    status = dem_sim_agree(d, status);
     s->caller_data = span;
     status = status ? status
-                    : dem_snapshot_write(path, s, &p->decomposition, &p->interaction_table,
-                                         &p->particles, &p->contacts, p->pairs.wall_facet);
+                    : dem_snapshot_write(path, s, &state->decomposition, &state->interaction_table,
+                                         &state->particles, &state->contacts, state->pairs.wall_facet);
     dem_snapshot_scene_free(&scene);
     dem_memory_free(record);
     dem_memory_free(span);
@@ -196,26 +196,26 @@ static int write_snapshot(struct dem *d, const char *path, struct dem_snapshot *
 
 int dem_save(struct dem *d, const char *path)
 {
-    struct dem_state *const p = &d->state;
-    struct dem_snapshot s = {.steps = p->steps, .time = p->time, .domain = &p->domain};
+    struct dem_state *const state = &d->state;
+    struct dem_snapshot s = {.steps = state->steps, .time = state->time, .domain = &state->domain};
 
-    DEM_TRY(dem_api_require_sound(d, "dem_save"));
-    memcpy(s.skin_tuning, &p->pairs.skins, sizeof p->pairs.skins);
-    s.flows = p->flows->n;
-    s.next_id = p->flows->next_id;
-    memcpy(s.flow, p->flows->flow, (size_t)p->flows->n*sizeof *s.flow);
-    if (p->window.half_step_ahead)
+    DEM_TRY(dem_sim_require_sound(d, "dem_save"));
+    memcpy(s.skin_tuning, &state->pairs.skins, sizeof state->pairs.skins);
+    s.flows = state->flows->n;
+    s.next_id = state->flows->next_id;
+    memcpy(s.flow, state->flows->flow, (size_t)state->flows->n*sizeof *s.flow);
+    if (state->window.half_step_ahead)
     {
-        s.window = (struct dem_snapshot_window){.ahead = p->window.steps,
-                                                .done = p->steps - p->window.steps_before,
-                                                .opened = p->window.start,
-                                                .dt = p->dt};
+        s.window = (struct dem_snapshot_window){.ahead = state->window.steps,
+                                                .done = state->steps - state->window.steps_before,
+                                                .opened = state->window.start,
+                                                .dt = state->dt};
     }
     DEM_TRY(write_snapshot(d, path, &s));
     /* A run that loads the file rebuilds its lists first and wraps positions then; the run that
-       wrote it does the same, so that both have the same bits. A state without lists (2) stays
+       wrote it does the same, so that both have the same bits. A state without lists stays
        without. */
-    p->stale = p->stale == 2 ? 2 : 1;
+    dem_request_rebuild(state);
     return DEM_OK;
 }
 
@@ -223,7 +223,7 @@ int dem_backup_every(struct dem *d, int64_t steps)
 {
     fenv_t caller;
 
-    DEM_TRY(dem_api_require_sound(d, "dem_backup_every"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_backup_every"));
     DEM_REQUIRE(steps >= 0, DEM_ERROR_INPUT, "backups every %lld steps; give a number above 0, or "
                 "0 for none", (long long)steps);
     d->state.backup.every = steps;
@@ -241,26 +241,26 @@ int dem_ranks_agree(const struct dem *d)
 
 int dem_restore(struct dem *d, double *time)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
-    DEM_REQUIRE(p->backup.valid, DEM_ERROR_STATE,
+    DEM_REQUIRE(state->backup.valid, DEM_ERROR_STATE,
                 "there is no backup to restore; dem_backup_every comes before dem_restore");
-    DEM_TRY(dem_backup_restore(&p->backup, &p->particles, &p->contacts));
-    dem_flows_restore(p->flows);
-    dem_wall_wear_restore(p);
-    dem_wall_statistics_drop_forces(p->wall_statistics);
-    dem_walls_rewind(&p->walls);
-    dem_wall_bodies_restore(&p->walls);
-    dem_unagreed_reset(&p->unagreed);
+    DEM_TRY(dem_backup_restore(&state->backup, &state->particles, &state->contacts));
+    dem_flows_restore(state->flows);
+    dem_wall_wear_restore(state);
+    dem_wall_statistics_drop_forces(state->wall_statistics);
+    dem_walls_rewind(&state->walls);
+    dem_wall_bodies_restore(&state->walls);
+    dem_unagreed_reset(&state->unagreed);
     d->restored = 1;
     d->failed = 0;
-    p->steps = p->backup.steps;
-    p->time = *time = p->backup.time;
-    p->limits.overlap = 0.0;
-    p->stale = 2;
-    p->window.half_step_ahead = 0;
-    dem_cell_restore(p);
+    state->steps = state->backup.steps;
+    state->time = *time = state->backup.time;
+    state->limits.overlap = 0.0;
+    state->neighbor_lists = DEM_LISTS_NONE;
+    state->window.half_step_ahead = 0;
+    dem_cell_restore(state);
     dem_stages_rewind(d);
-    (void)dem_walls_come_and_go(&p->walls, p->time);
+    (void)dem_walls_come_and_go(&state->walls, state->time);
     return DEM_OK;
 }

@@ -23,7 +23,7 @@ int dem_edit_check_state(const struct dem *d, const char *call)
 {
     const struct dem_window *const w = &d->state.window;
 
-    DEM_TRY(dem_api_require_sound(d, call));
+    DEM_TRY(dem_sim_require_sound(d, call));
     DEM_REQUIRE(!d->coupled, DEM_ERROR_STATE,
                 "%s: the run is coupled with a fluid, which has to know of all particles; use "
                 "streams and outlets", call);
@@ -78,7 +78,7 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
     uint8_t *present = NULL;
     int64_t missing = -1, clumped[2] = {-1, -1};
 
-    DEM_TRY(dem_api_agree(d, status ? status : DEM_NEW(present, e->n + 1)));
+    DEM_TRY(dem_sim_agree(d, status ? status : DEM_NEW(present, e->n + 1)));
     for (size_t i = 0; i < d->state.particles.n; i++)
     {
         const struct dem_particle *const q = &d->state.particles.record[i];
@@ -109,7 +109,7 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
                                         "which moves as one body; %s", e->call, (long long)clumped[0],
                                         (long long)clumped[1], e->to ? "give the id of that one, for the whole clump"
                                                                      : "give the ids of all its spheres");
-    return dem_api_agree(d, status);
+    return dem_sim_agree(d, status);
 }
 
 /* ---- the edit -------------------------------------------------------------------------------- */
@@ -117,17 +117,17 @@ int dem_edit_require_present(struct dem *d, const struct dem_edit *e, int status
 /* With lists: refuse overlaps; the elastic energy. */
 static int look(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_state *const state = &d->state;
+    struct dem_energy_balance *const l = state->energy_balance;
 
-    int status = dem_api_refuse_new_overlap(d);
+    int status = dem_sim_refuse_new_overlap(d);
 
     if (l->open)
     {
-        DEM_TRY(dem_collect_agree(&p->decomposition, status));
+        DEM_TRY(dem_collect_agree(&state->decomposition, status));
         l->sums_elastic = 1;
         l->begun = 0;
-        status = dem_sweep_contacts_and_bodies(p, 0.0, (const double[2]){p->time, p->time}, NULL);
+        status = dem_sweep_contacts_and_bodies(state, 0.0, (const double[2]){state->time, state->time}, NULL);
         l->begun = 1;
     }
     return status;
@@ -144,7 +144,7 @@ static void finish(struct dem *d, struct dem_edit *e)
     }
     if (d->scene.fluid.given && e->lists)
     {
-        dem_api_init_fluid(d);
+        dem_sim_init_fluid(d);
     }
     d->driven = dem_totals_any_driven(&d->state);
     d->state.energy_balance->driven |= d->driven;
@@ -156,36 +156,36 @@ static void finish(struct dem *d, struct dem_edit *e)
 }
 
 /* Save what belongs to the contact rows, and drop these. */
-static int drop_rows(struct dem_state *p)
+static int drop_rows(struct dem_state *state)
 {
-    if (p->stale < 2)
+    if (state->neighbor_lists != DEM_LISTS_NONE)
     {
-        DEM_TRY(dem_wall_statistics_save_forces(p));
-        DEM_TRY(dem_contacts_save_history(&p->contacts, &p->particles, p->pairs.wall_facet));
+        DEM_TRY(dem_wall_statistics_save_forces(state));
+        DEM_TRY(dem_contacts_save_history(&state->contacts, &state->particles, state->pairs.wall_facet));
     }
-    p->stale = 2;
-    p->particles.ghosts = 0;
+    state->neighbor_lists = DEM_LISTS_NONE;
+    state->particles.ghosts = 0;
     return DEM_OK;
 }
 
 /* An edit after which the lists are built anew, on a copy of the state. */
 static int change_lists(struct dem *d, const struct dem_edit *e)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     struct dem_backup backup = {.valid = 0};
-    int status = drop_rows(p);
+    int status = drop_rows(state);
 
-    status = dem_api_agree(d, status ? status
-                                     : dem_backup_save(&backup, &p->particles, &p->contacts,
-                                                       p->pairs.wall_facet));
+    status = dem_sim_agree(d, status ? status
+                                     : dem_backup_save(&backup, &state->particles, &state->contacts,
+                                                       state->pairs.wall_facet));
     if (!status)
     {
-        status = dem_api_agree(d, e->change(d, e));
-        status = status ? status : dem_api_with_lists(d, look);
+        status = dem_sim_agree(d, e->change(d, e));
+        status = status ? status : dem_sim_with_lists(d, look);
     }
     if (status && backup.valid)
     {
-        d->failed |= dem_backup_restore(&backup, &p->particles, &p->contacts) != DEM_OK;
+        d->failed |= dem_backup_restore(&backup, &state->particles, &state->contacts) != DEM_OK;
     }
     dem_backup_free(&backup);
     return status;
@@ -195,16 +195,16 @@ static int change_lists(struct dem *d, const struct dem_edit *e)
    are copied into it when lists are built. */
 static int apply(struct dem *d, struct dem_edit *e)
 {
-    struct dem_state *const p = &d->state;
-    const double before = p->energy_balance->open ? dem_energy_balance_total(p) : 0.0;
+    struct dem_state *const state = &d->state;
+    const double before = state->energy_balance->open ? dem_energy_balance_total(state) : 0.0;
     const int status = e->lists ? change_lists(d, e) : e->change(d, e);
 
     if (!status)
     {
         finish(d, e);
-        dem_energy_balance_edited(p, before);
+        dem_energy_balance_edited(state, before);
     }
-    const int renewed = p->backup.valid && e->lists ? dem_step_backup(p) : DEM_OK;
+    const int renewed = state->backup.valid && e->lists ? dem_step_backup(state) : DEM_OK;
 
     return status ? status : renewed;
 }
@@ -214,7 +214,7 @@ int dem_edit_make(struct dem *d, struct dem_edit *e, int status)
     fenv_t caller;
 
     feholdexcept(&caller);
-    status = dem_api_agree(d, status);
+    status = dem_sim_agree(d, status);
     status = status || e->n == 0 ? status : apply(d, e);
     fesetenv(&caller);
     dem_memory_free(e->item);

@@ -90,31 +90,31 @@ static int check_all_new(struct dem *d, struct dem_edit *e)
 
 int dem_edit_add(struct dem *d, const struct dem_edit *e)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
     for (size_t k = 0; k < e->add.n; k++)
     {
         const struct dem_particle *const q = &e->add.particle[k];
         const struct dem_clump *const body = q->body ? &e->add.clump[k] : NULL;
 
-        if (p->decomposition.ranks > 1 &&
-            dem_decomposition_owner(&p->decomposition, body ? body->x : q->x) != p->decomposition.rank)
+        if (state->decomposition.ranks > 1 &&
+            dem_decomposition_owner(&state->decomposition, body ? body->x : q->x) != state->decomposition.rank)
         {
             continue;
         }
-        DEM_TRY(dem_particles_add(&p->particles, q));
+        DEM_TRY(dem_particles_add(&state->particles, q));
         if (body)
         {
-            *dem_clump_at(&p->particles, p->particles.n - 1) = *body;
+            *dem_clump_at(&state->particles, state->particles.n - 1) = *body;
         }
-        p->particles.record[p->particles.n - 1].flags |= DEM_PARTICLE_NEW;
+        state->particles.record[state->particles.n - 1].flags |= DEM_PARTICLE_NEW;
         for (int m = 0; m < e->add.scalars; m++)
         {
-            dem_scalar_values(&p->particles, m)[p->particles.n - 1] = e->add.default_scalar[m];
+            dem_scalar_values(&state->particles, m)[state->particles.n - 1] = e->add.default_scalar[m];
         }
-        dem_flows_begin_columns(p, p->particles.n - 1, &d->scene.fluid);
+        dem_flows_begin_columns(state, state->particles.n - 1, &d->scene.fluid);
     }
-    dem_orientation_begin(&p->particles);
+    dem_orientation_begin(&state->particles);
     return DEM_OK;
 }
 
@@ -124,7 +124,7 @@ int dem_add_particles(struct dem *d, int64_t n, const struct dem_new_particle *n
     fenv_t caller;
     int status = dem_edit_check_state(d, e.call);
 
-    status = status ? status : dem_api_require_count(e.call, "particles", n);
+    status = status ? status : dem_sim_require_count(e.call, "particles", n);
     feholdexcept(&caller);
     status = status ? status : check_all_new(d, &e);
     fesetenv(&caller);

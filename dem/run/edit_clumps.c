@@ -118,7 +118,7 @@ int dem_add_clumps(struct dem *d, int64_t n, const struct dem_new_clump *new, in
     fenv_t caller;
     int status = dem_edit_check_state(d, e.call);
 
-    status = status ? status : dem_api_require_count(e.call, "clumps", n);
+    status = status ? status : dem_sim_require_count(e.call, "clumps", n);
     status = status ? status : DEM_NEW(first, n + 1);
     feholdexcept(&caller);
     status = status ? status : check_all_new(d, &e, new, first);

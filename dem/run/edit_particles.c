@@ -184,7 +184,7 @@ int dem_remove_particles(struct dem *d, int64_t n, const int64_t *id)
                          .lists = 1};
     int status = dem_edit_check_state(d, e.call);
 
-    status = status ? status : dem_api_require_count(e.call, "ids", n);
+    status = status ? status : dem_sim_require_count(e.call, "ids", n);
     status = status ? status : dem_edit_list(&e, id);
     return dem_edit_make(d, &e, dem_edit_require_present(d, &e, status));
 }
@@ -196,7 +196,7 @@ int dem_set_particles(struct dem *d, int64_t n, const int64_t *id,
                          .lists = to->position || to->frozen};
     int status = dem_edit_check_state(d, e.call);
 
-    status = status ? status : dem_api_require_count(e.call, "ids", n);
+    status = status ? status : dem_sim_require_count(e.call, "ids", n);
     status = status ? status : dem_edit_list(&e, id);
     status = dem_edit_require_present(d, &e, status);
     return dem_edit_make(d, &e, status ? status : go_through(d, &e, 0));

@@ -7,7 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/effect_numbers.h"
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_numbers.h"
 #include "laws/effects.h"
 #include "laws/fluid/drag.h"
@@ -109,7 +109,7 @@ int dem_effect_line(const struct dem *d, int k, const struct dem_regime *g, char
 double dem_drag_coefficient(const struct dem *d, const struct dem_suspension *s,
                             double void_fraction, double slip)
 {
-    const struct dem_effect_list *const bodies = &d->state.interaction_table.bodies;
+    const struct dem_effect_list *const effects = &d->state.interaction_table.bodies;
     const double volume = 3.14159265358979323846/6.0*s->diameter*s->diameter*s->diameter;
     struct dem_body_batch batch;
     double coefficient = 0.0;
@@ -127,11 +127,11 @@ double dem_drag_coefficient(const struct dem *d, const struct dem_suspension *s,
         batch.density[c] = s->fluid_density;
         batch.viscosity[c] = s->viscosity;
     }
-    for (int k = 0; k < bodies->entries; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        if (bodies->entry[k].effect->drag)
+        if (effects->entry[k].effect->drag)
         {
-            dem_effect_apply_to_bodies(bodies->entry[k].effect, bodies->entry[k].settings, &batch);
+            dem_effect_apply_to_bodies(effects->entry[k].effect, effects->entry[k].settings, &batch);
             coefficient = batch.drag[0];
         }
     }

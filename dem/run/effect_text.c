@@ -4,7 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "dem_plan.h"
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "laws/effects.h"
 #include <math.h>

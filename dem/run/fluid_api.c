@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/error.h"
 #include "laws/fluid/particle_exchange.h"
@@ -46,11 +46,11 @@ int dem_fluid(struct dem *d, struct dem_fluid *f)
                             .angular_impulse = dem_column(p, DEM_COLUMN_ANGULAR_IMPULSE),
                             .slip_factor = dem_column(p, DEM_COLUMN_SLIP_FACTOR),
                             .location = dem_column(p, DEM_COLUMN_COUPLING_INDEX),
-                            .drag_time = dem_column(p, DEM_COLUMN_DRAG_TIME),
+                            .drag_integral = dem_column(p, DEM_COLUMN_DRAG_INTEGRAL),
                             .drag_impulse = dem_column(p, DEM_COLUMN_DRAG_IMPULSE),
                             .response = dem_column(p, DEM_COLUMN_RESPONSE),
                             .displacement = dem_column(p, DEM_COLUMN_DISPLACEMENT),
-                            .transmitted_fraction = dem_column(p, DEM_COLUMN_DRAG_FRACTION),
+                            .transmitted_fraction = dem_column(p, DEM_COLUMN_TRANSMITTED_FRACTION),
                             .carried_over_impulse = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE),
                             .under_relaxation = dem_column(p, DEM_COLUMN_UNDER_RELAXATION),
                             .owed_pressure_impulse =
@@ -64,7 +64,7 @@ void dem_fluid_whole_drag(struct dem *d, int yes)
     d->state.interaction_table.bodies.whole_drag = yes;
 }
 
-int dem_api_require_fluid_scalars(const struct dem *d)
+int dem_sim_require_fluid_scalars(const struct dem *d)
 {
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     const struct dem_particles *const p = &d->state.particles;
@@ -113,7 +113,7 @@ double dem_fluid_under_relax(struct dem *d)
     const double *const void_fraction = dem_column(p, DEM_COLUMN_VOID_FRACTION);
     const double *const own = dem_column(p, DEM_COLUMN_OWN_WAKE);
     const double *const density = dem_column(p, DEM_COLUMN_FLUID_DENSITY);
-    const double *const transmitted = dem_column(p, DEM_COLUMN_DRAG_FRACTION);
+    const double *const transmitted = dem_column(p, DEM_COLUMN_TRANSMITTED_FRACTION);
     double *const factor = dem_column(p, DEM_COLUMN_UNDER_RELAXATION);
     double min = 1.0;
 
@@ -140,7 +140,7 @@ int dem_fluid_correct(struct dem *d, const double *velocity, const double *press
     const double *const u = dem_column(p, DEM_COLUMN_FLUID_VELOCITY);
     const double *const g = dem_column(p, DEM_COLUMN_PRESSURE_GRADIENT);
     const double *const R = dem_column(p, DEM_COLUMN_RESPONSE);
-    const double *const transmitted = dem_column(p, DEM_COLUMN_DRAG_FRACTION);
+    const double *const transmitted = dem_column(p, DEM_COLUMN_TRANSMITTED_FRACTION);
     const double *const predicted = dem_column(p, DEM_COLUMN_PREDICTED_ADDED_IMPULSE);
     double *const carried_over = dem_column(p, DEM_COLUMN_CARRIED_OVER_IMPULSE);
     double *const change = dem_column(p, DEM_COLUMN_FLUID_CHANGE);
@@ -200,7 +200,7 @@ int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, 
 void dem_fluid_interface_force(const struct dem *d, double *force)
 {
     const struct dem_particles *const p = &d->state.particles;
-    const struct dem_effect_list *const bodies = &d->state.interaction_table.bodies;
+    const struct dem_effect_list *const effects = &d->state.interaction_table.bodies;
     const double *const tension = dem_column(p, DEM_COLUMN_TENSION),
                  *const distance = dem_column(p, DEM_COLUMN_INTERFACE_DISTANCE);
 
@@ -219,11 +219,11 @@ void dem_fluid_interface_force(const struct dem *d, double *force)
             b.tension_z[c] = tension[3*i + 2];
             b.interface_distance[c] = distance[i];
         }
-        for (int k = 0; k < bodies->entries; k++)
+        for (int k = 0; k < effects->entries; k++)
         {
-            if (bodies->entry[k].effect->needs & DEM_NEEDS_INTERFACE)
+            if (effects->entry[k].effect->needs & DEM_NEEDS_INTERFACE)
             {
-                bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &b);
+                effects->entry[k].effect->apply_to_bodies(effects->entry[k].settings, &b);
             }
         }
         for (int c = 0; c < rows; c++)
@@ -236,16 +236,16 @@ void dem_fluid_interface_force(const struct dem *d, double *force)
 
 double dem_fluid_relaxation(const struct dem *d)
 {
-    const struct dem_state *const p = &d->state;
-    const double *const time = dem_column(&p->particles, DEM_COLUMN_DRAG_TIME);
+    const struct dem_state *const state = &d->state;
+    const double *const drag_integral = dem_column(&state->particles, DEM_COLUMN_DRAG_INTEGRAL);
     double max = 0.0;
 
-    for (size_t i = 0; time && p->window.length > 0.0 && i < p->particles.n; i++)
+    for (size_t i = 0; drag_integral && state->window.length > 0.0 && i < state->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_particle *const r = &state->particles.record[i];
         /* B and mass of a sphere of a body are the same share of the body's */
         const double per_mass = r->flags & DEM_PARTICLE_FROZEN ? 0.0 : r->body ? 1.0/r->mass : r->inverse_mass,
-                     rate = dem_exchange_rate(time[i], p->window.length, per_mass);
+                     rate = dem_exchange_rate(drag_integral[i], state->window.length, per_mass);
 
         max = rate > max ? rate : max;
     }

@@ -12,7 +12,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_numbers.h"
 #include "dem_plan.h"
 #include "core/vec.h"

@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/error.h"
 #include "core/memory.h"
@@ -16,15 +16,15 @@
 int dem_flow_patch(struct dem *d, const char *name, int64_t n, const double *triangles,
                    const double *velocity)
 {
-    struct dem_flow_patch *const patch = dem_api_find_patch(d, name);
-    int status = dem_api_require_count("dem_flow_patch", "triangles", n);
+    struct dem_flow_patch *const patch = dem_sim_find_patch(d, name);
+    int status = dem_sim_require_count("dem_flow_patch", "triangles", n);
 
     status = status ? status
            : patch  ? DEM_OK
                     : dem_error(DEM_ERROR_INPUT, "dem_flow_patch: there is no patch %s of "
                                 "dem_case_add_patch", name);
-    DEM_TRY(dem_api_gather_patch(d, status, patch, n, triangles, velocity));
-    return dem_api_agree(d, dem_api_give_patch(d, patch));
+    DEM_TRY(dem_sim_gather_patch(d, status, patch, n, triangles, velocity));
+    return dem_sim_agree(d, dem_sim_give_patch(d, patch));
 }
 
 int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *id)
@@ -41,7 +41,7 @@ int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *
                 "dem_flow_remove: patch %s is no outlet of the scene; add outlets { NAME { patch "
                 "%s; } }",
                 patch, patch);
-    DEM_TRY(dem_api_require_count("dem_flow_remove", "ids", n));
+    DEM_TRY(dem_sim_require_count("dem_flow_remove", "ids", n));
     for (int64_t k = 0; k < n; k++)
     {
         DEM_TRY(DEM_GROW(d->outgoing, d->outgoing_capacity, d->outgoing_count + 1));
@@ -59,7 +59,7 @@ int dem_flow_apply(struct dem *d, int *changed)
                 "dem_advance; call dem_case_flows_on_request before dem_start");
     DEM_REQUIRE(!d->state.window.half_step_ahead, DEM_ERROR_STATE,
                 "dem_flow_apply comes between two advances");
-    DEM_TRY(dem_api_require_sound(d, "dem_flow_apply"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_flow_apply"));
     feholdexcept(&caller);
     const int status =
         dem_flows_between_windows(&d->state, d->outgoing_count, d->outgoing, changed);

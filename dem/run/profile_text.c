@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "dem_query.h"
 #include "ranks/collect.h"

@@ -6,7 +6,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_tables.h"
 #include "device/device_steps.h"
 #include "core/error.h"
@@ -226,7 +226,7 @@ int dem_has_bonds(const struct dem *d)
 int dem_bonds(struct dem *d, int64_t *n, const struct dem_bond **bond)
 {
     /* after a load or restore there are no lists before the first step */
-    if (d->state.stale == 2)
+    if (d->state.neighbor_lists == DEM_LISTS_NONE)
     {
         *n = 0;
         *bond = NULL;
@@ -253,7 +253,7 @@ const char *dem_broken_bond_cause(int cause)
 
 int dem_bonds_draw(struct dem *d, const char *folder, const char *file, double time)
 {
-    return dem_api_agree(d, dem_bonds_write_lines(&d->state, d->heading, folder, file, time));
+    return dem_sim_agree(d, dem_bonds_write_lines(&d->state, d->heading, folder, file, time));
 }
 
 int dem_wall_impulse_reset(struct dem *d)
@@ -321,7 +321,7 @@ int dem_virial(struct dem *d, double *virial)
                 "dem_start");
     memset(virial, 0, 6*d->state.particles.n*sizeof *virial);
     /* after a load, a restore or a step that failed there are no lists */
-    if (d->state.stale < 2 && d->state.contacts.rows.n > 0)
+    if (d->state.neighbor_lists != DEM_LISTS_NONE && d->state.contacts.rows.n > 0)
     {
         dem_virial_sum(&d->state, virial);
     }

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "dem_fluid.h"
 #include "core/error.h"
 #include "records/energy_balance.h"
@@ -55,7 +55,7 @@ double *dem_scalar(struct dem *d, int k)
 
 static int check_values(const struct dem *d, int k, const double *values)
 {
-    DEM_TRY(dem_api_require_sound(d, "dem_set_scalar"));
+    DEM_TRY(dem_sim_require_sound(d, "dem_set_scalar"));
     DEM_REQUIRE(is_scalar(d, k), DEM_ERROR_INPUT, "dem_set_scalar: there is no scalar %d", k);
     const struct dem_scalar *const s = d->state.interaction_table.scalar[k];
 
@@ -70,16 +70,16 @@ static int check_values(const struct dem *d, int k, const double *values)
 
 int dem_set_scalar(struct dem *d, int k, const double *values)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
 
-    DEM_TRY(dem_api_agree(d, check_values(d, k, values)));
-    const double before = p->energy_balance->open ? dem_energy_balance_total(p) : 0.0;
+    DEM_TRY(dem_sim_agree(d, check_values(d, k, values)));
+    const double before = state->energy_balance->open ? dem_energy_balance_total(state) : 0.0;
 
-    if (p->particles.n > 0)
+    if (state->particles.n > 0)
     {
-        memcpy(dem_scalar_values(&p->particles, k), values, p->particles.n*sizeof *values);
+        memcpy(dem_scalar_values(&state->particles, k), values, state->particles.n*sizeof *values);
     }
-    dem_energy_balance_edited(p, before);
+    dem_energy_balance_edited(state, before);
     return DEM_OK;
 }
 

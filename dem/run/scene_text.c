@@ -226,12 +226,12 @@ static void write_triangles(struct dem_text *t, const struct dem_walls *w, int w
     }
 }
 
-static void write_walls(struct dem_text *t, const struct dem_state *p)
+static void write_walls(struct dem_text *t, const struct dem_state *state)
 {
     static const char *const shape[] = {"", "plane", "cylinder", "sphere"};
     static const char *const moves[] = {"", ", translates", ", turns", ", oscillates", "",
                                         ", moves"};
-    const struct dem_walls *const w = &p->walls;
+    const struct dem_walls *const w = &state->walls;
 
     dem_text_add(t, "Walls\n");
     for (int k = 0; k < w->walls; k++)
@@ -246,7 +246,7 @@ static void write_walls(struct dem_text *t, const struct dem_state *p)
         {
             dem_text_add(t, "    %-18s %s", of->name, shape[of->shape]);
         }
-        dem_text_add(t, ", %s%s%s\n", p->interaction_table.material[of->material].name,
+        dem_text_add(t, ", %s%s%s\n", state->interaction_table.material[of->material].name,
                      of->frame < 0          ? ""
                      : dem_walls_body(w, k) ? ", moved by force"
                                             : moves[w->frame[of->frame].motion.kind],

@@ -5,7 +5,7 @@
  */
 #pragma once
 
-#include "case/internal.h"
+#include "case/simulation.h"
 
 /* Append the paragraph of streams and outlets; nothing without any. */
 void dem_flows_text_add(struct dem_text *, const struct dem *);

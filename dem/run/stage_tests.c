@@ -11,7 +11,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "case/stages.h"
 #include "core/error.h"
 #include "core/vec.h"
@@ -41,7 +41,7 @@ static double choose_part(const struct dem *d, const struct dem_run_stage *s)
     (void)dem_gravity_acceleration(d, g);
     const double lasting = s->until == DEM_UNTIL_LOAD ? s->lasting : s->quiet.lasting;
     const double fall = s->until == DEM_UNTIL_LOAD ? LOAD_STEPS*d->step
-                                                   : sqrt(2.0*dem_api_max_radius(d)/dem_vec_norm(g));
+                                                   : sqrt(2.0*dem_sim_max_radius(d)/dem_vec_norm(g));
     const double part = lasting > 0.0 ? 0.2*lasting : fall;
 
     return exp2(rint(log2(fmax(part, LEAST_STEPS*d->step))));
@@ -162,48 +162,48 @@ static const char *name_walls(const struct dem_walls *w, char names[200])
 /* A wall must not appear in particles. */
 static int refuse_inside(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     char names[200] = "";
     int status = DEM_OK, clear = 1;
 
-    for (int k = 0; k < p->walls.walls; k++)
+    for (int k = 0; k < state->walls.walls; k++)
     {
-        p->walls.wall[k].absent += p->walls.wall[k].came ? 0 : 2;
+        state->walls.wall[k].absent += state->walls.wall[k].came ? 0 : 2;
     }
-    for (size_t i = 0; i < p->particles.n && !status; i++)
+    for (size_t i = 0; i < state->particles.n && !status; i++)
     {
-        struct dem_particle q = p->particles.record[i];
+        struct dem_particle q = state->particles.record[i];
 
         q.radius *= 1.0 - 2.0*d->scene.max_start_overlap;
-        status = dem_wall_search_is_clear(&p->pairs.wall_search, &p->walls, &q, &clear);
+        status = dem_wall_search_is_clear(&state->pairs.wall_search, &state->walls, &q, &clear);
         if (!status && !clear)
         {
             status = dem_error(DEM_ERROR_INPUT, "wall%s appears at %g s (its entry `from`) where "
                                "particle %lld is, at (%g %g %g) m; let it appear later, or elsewhere",
-                               name_walls(&p->walls, names), p->time, (long long)q.id, q.x[0], q.x[1], q.x[2]);
+                               name_walls(&state->walls, names), state->time, (long long)q.id, q.x[0], q.x[1], q.x[2]);
         }
     }
-    for (int k = 0; k < p->walls.walls; k++)
+    for (int k = 0; k < state->walls.walls; k++)
     {
-        p->walls.wall[k].absent -= p->walls.wall[k].came ? 0 : 2;
+        state->walls.wall[k].absent -= state->walls.wall[k].came ? 0 : 2;
     }
-    return dem_api_agree(d, status);
+    return dem_sim_agree(d, status);
 }
 
 static int change_walls(struct dem *d)
 {
-    struct dem_state *const p = &d->state;
+    struct dem_state *const state = &d->state;
     int came = 0;
 
-    if (!dem_walls_come_and_go(&p->walls, p->time + same_time*d->step))
+    if (!dem_walls_come_and_go(&state->walls, state->time + same_time*d->step))
     {
         return DEM_OK;
     }
-    p->stale = p->stale ? p->stale : 1;
-    dem_walls_move(&p->walls, p->time, 0.0);
-    for (int k = 0; k < p->walls.walls; k++)
+    dem_request_rebuild(state);
+    dem_walls_move(&state->walls, state->time, 0.0);
+    for (int k = 0; k < state->walls.walls; k++)
     {
-        came |= p->walls.wall[k].came;
+        came |= state->walls.wall[k].came;
     }
     return came ? refuse_inside(d) : DEM_OK;
 }

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "records/energy_balance.h"
@@ -109,5 +109,5 @@ int dem_take_over(struct dem *d, struct dem *from)
 
     status = status ? status : take_losses(d->state.lost_particles, from->state.lost_particles);
     status = status ? status : take_bonds(d->state.bonds, from->state.bonds);
-    return dem_api_agree(d, status);
+    return dem_sim_agree(d, status);
 }

@@ -30,7 +30,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "core/vec.h"
 #include "records/totals.h"
@@ -57,7 +57,7 @@ int dem_quiet_check(const struct dem *d, const struct dem_quiet *q)
 /* Rounded to a power of 2, so that a restart with other particles has the same windows. */
 int64_t dem_quiet_tests(const struct dem *d, const struct dem_quiet *q, double interval)
 {
-    const double radius = dem_api_max_radius(d);
+    const double radius = dem_sim_max_radius(d);
     double g[3] = {0.0, 0.0, 0.0};
 
     if (!q->wanted)

@@ -23,7 +23,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/memory.h"
 #include "core/vec.h"
 #include "dem_numbers.h"
@@ -161,7 +161,7 @@ static int find_arm(struct dem *d, int wall, const double centre[3], const doubl
     double *corner, square = 0.0;
     int status = DEM_NEW(corner, 9*triangles + 1);
 
-    status = dem_api_agree(d, status);
+    status = dem_sim_agree(d, status);
     status = status ? status : dem_wall_corners(d, wall, corner);
     for (size_t k = 0; k < 3*triangles && !status && d->state.decomposition.rank == 0; k++)
     {

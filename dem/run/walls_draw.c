@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/vec.h"
@@ -87,7 +87,7 @@ static int write_all(struct dem *d, const char *path)
         dem_wall_info(d, w, &facts);
         all += facts.absent ? 0 : facts.triangles;
     }
-    int status = dem_api_agree(d, d->state.decomposition.rank == 0 ? reserve(&t, all + 1, dem_walls_wear(d)) : DEM_OK);
+    int status = dem_sim_agree(d, d->state.decomposition.rank == 0 ? reserve(&t, all + 1, dem_walls_wear(d)) : DEM_OK);
 
     for (int w = 0; w < dem_wall_count(d) && !status; w++)
     {
@@ -100,7 +100,7 @@ static int write_all(struct dem *d, const char *path)
     dem_memory_free(t.corners);
     dem_memory_free(t.wall);
     dem_memory_free(t.wear);
-    return dem_api_agree(d, status);
+    return dem_sim_agree(d, status);
 }
 
 int dem_walls_draw(struct dem *d, const char *folder, const char *file, double time)
@@ -110,6 +110,6 @@ int dem_walls_draw(struct dem *d, const char *folder, const char *file, double t
     snprintf(path, sizeof path, "%s/%s", folder, file);
     DEM_TRY(write_all(d, path));
     snprintf(path, sizeof path, "%s/walls.pvd", folder);
-    return dem_api_agree(d, d->state.decomposition.rank == 0 && !isnan(time)
+    return dem_sim_agree(d, d->state.decomposition.rank == 0 && !isnan(time)
                                 ? dem_vtk_collection_add(path, time, file) : DEM_OK);
 }

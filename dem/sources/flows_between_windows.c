@@ -94,7 +94,7 @@ static int remove_outgoing(struct dem_state *p, const struct dem_outgoing_partic
 
 static int apply_changes(struct dem_state *p, uint32_t *order, size_t stay)
 {
-    if (p->stale < 2)
+    if (p->neighbor_lists != DEM_LISTS_NONE)
     {
         const int status = dem_wall_statistics_save_forces(p);
 
@@ -108,7 +108,7 @@ static int apply_changes(struct dem_state *p, uint32_t *order, size_t stay)
     }
     p->particles.ghosts = 0;
     DEM_TRY(dem_flows_sum_departures(p));
-    p->stale = 2;
+    p->neighbor_lists = DEM_LISTS_NONE;
     return dem_agree(p, dem_flows_insert(p));
 }
 

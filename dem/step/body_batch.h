@@ -70,7 +70,7 @@ void dem_body_batch_scale_drag(struct dem_body_workspace *, const struct dem_par
                                size_t first, int rows);
 
 /* Apply the slip factor: the reaction of an incompressible fluid to the motion of the particles
-   since the start of the window, see sweep_bodies.c. */
+   since the start of the window (step/body_window.c). */
 void dem_body_batch_apply_slip_factor(struct dem_body_workspace *, const struct dem_particles *,
                                       size_t first, int rows);
 

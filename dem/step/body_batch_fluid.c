@@ -126,7 +126,7 @@ void dem_body_batch_sum_drag(const struct dem_body_workspace *work, struct dem_p
 {
     sum_drag(work, rows, h, dem_column(particles, DEM_COLUMN_DRAG_IMPULSE) + 3*first,
              dem_column(particles, DEM_COLUMN_DECAY_FACTOR) + first,
-             dem_column(particles, DEM_COLUMN_DRAG_TIME) + first);
+             dem_column(particles, DEM_COLUMN_DRAG_INTEGRAL) + first);
 }
 
 /* ---- reacting forces, added mass, rotational drag -------------------------------------------- */

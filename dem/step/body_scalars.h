@@ -27,7 +27,7 @@ struct dem_scalar_step
     const struct dem_contacts *contacts;        /* with the rates of rows */
     double h;                                   /* s  0: effects read scalars, none is changed */
     double window;                              /* s  over which CARRIED_OVER is spread; 0: none */
-    const struct dem_clump_heat *clumps;        /* clump_heat.h; NULL: none */
+    const struct dem_clump_heat *clump_heat;    /* clump_heat.h; NULL: none */
     struct dem_sum *heat;                       /* J  of what is not from contacts, of the scalar with
                                                    DEM_SCALAR_HEAT; NULL: not summed */
 };

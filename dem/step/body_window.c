@@ -28,19 +28,19 @@
 
 /* prepare_bodies of all effects; on grains, where the particles are parcels. */
 static void prepare_effects(struct dem_body_batch *b, const struct dem_particles *particles,
-                            const struct dem_effect_list *bodies, size_t first, int rows)
+                            const struct dem_effect_list *effects, size_t first, int rows)
 {
     double ratio[DEM_BATCH_ROWS];
 
-    for (int c = 0; bodies->grains && c < DEM_BATCH_ROWS; c++)
+    for (int c = 0; effects->grains && c < DEM_BATCH_ROWS; c++)
     {
         const size_t i = first + (size_t)(c < rows ? c : 0);
 
-        ratio[c] = dem_scalar_values(particles, bodies->parcel_scalar)[i];
+        ratio[c] = dem_scalar_values(particles, effects->parcel_scalar)[i];
     }
-    for (int k = 0; k < bodies->entries; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        const struct dem_effect_entry *const e = &bodies->entry[k];
+        const struct dem_effect_entry *const e = &effects->entry[k];
 
         if (e->effect->prepare_bodies && e->grains)
         {
@@ -54,7 +54,7 @@ static void prepare_effects(struct dem_body_batch *b, const struct dem_particles
 }
 
 void dem_bodies_window_constants(struct dem_particles *particles,
-                                 const struct dem_effect_list *bodies)
+                                 const struct dem_effect_list *effects)
 {
     const int voidage = dem_column(particles, DEM_COLUMN_VOIDAGE_FACTOR_FIRST) != NULL,
               added = dem_column(particles, DEM_COLUMN_ADDED_MASS) != NULL;
@@ -69,7 +69,7 @@ void dem_bodies_window_constants(struct dem_particles *particles,
         dem_body_batch_gather(&t, particles, first, rows, 0);
         dem_body_batch_gather_fluid(&t, particles, first, rows, 0.0);
         memset(t.batch.added_mass, 0, sizeof t.batch.added_mass);
-        prepare_effects(&t.batch, particles, bodies, first, rows);
+        prepare_effects(&t.batch, particles, effects, first, rows);
         if (voidage)
         {
             dem_body_batch_store_voidage_factors(&t, particles, first, rows);
@@ -90,17 +90,17 @@ static void clear(struct dem_particles *particles, enum dem_column_name column)
     }
 }
 
-void dem_bodies_begin_window(struct dem_particles *particles, const struct dem_effect_list *bodies)
+void dem_bodies_begin_window(struct dem_particles *particles, const struct dem_effect_list *effects)
 {
     if (!dem_column(particles, DEM_COLUMN_FLUID_VELOCITY))
     {
         return;
     }
-    dem_bodies_window_constants(particles, bodies);
+    dem_bodies_window_constants(particles, effects);
     clear(particles, DEM_COLUMN_DRAG_IMPULSE);
     clear(particles, DEM_COLUMN_OTHER_IMPULSE);
     clear(particles, DEM_COLUMN_ANGULAR_IMPULSE);
-    clear(particles, DEM_COLUMN_DRAG_TIME);
+    clear(particles, DEM_COLUMN_DRAG_INTEGRAL);
     for (size_t i = 0; i < particles->n; i++)
     {
         dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i] = 1.0;
@@ -181,7 +181,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
         const double *const own = dem_column(particles, DEM_COLUMN_OWN_WAKE);
         const double law = own ? 1.0 + own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_DRAG] : 1.0;
         const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i],
-                     held = dem_column(particles, DEM_COLUMN_DRAG_TIME)[i],     /* B */
+                     held = dem_column(particles, DEM_COLUMN_DRAG_INTEGRAL)[i],     /* B */
                      slip = slip_at_start(particles, i),
                      drag = sqrt(J[0]*J[0] + J[1]*J[1] + J[2]*J[2]);
         const double inverse_mass = particles->record[i].inverse_mass;
@@ -193,7 +193,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
                      least = free/slip_factor;
 
         dem_column(particles, DEM_COLUMN_RESPONSE)[i] = law*(response > least ? response : least);
-        dem_column(particles, DEM_COLUMN_DRAG_FRACTION)[i] =
+        dem_column(particles, DEM_COLUMN_TRANSMITTED_FRACTION)[i] =
             free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
     }
     response_of_added_mass(particles, window);

@@ -11,11 +11,11 @@
 
 /* Begin a coupling window: clear the columns that are passed to the fluid, and compute what is
    constant over its steps. */
-void dem_bodies_begin_window(struct dem_particles *, const struct dem_effect_list *bodies);
+void dem_bodies_begin_window(struct dem_particles *, const struct dem_effect_list *effects);
 
 /* Only the constants of the window, voidage factors of drag laws and added mass: for a window that
    is continued. */
-void dem_bodies_window_constants(struct dem_particles *, const struct dem_effect_list *bodies);
+void dem_bodies_window_constants(struct dem_particles *, const struct dem_effect_list *effects);
 
 /* End a coupling window of length `window` [s]: compute the response R of each particle from its
    drag impulse (see body_window.c). */

@@ -210,7 +210,10 @@ double dem_cell_drift(struct dem_state *state, double dt)
     }
     dem_cell_set_lengths(state, length, d->offset + c.offset);
     /* a multiple of the length of x is taken off while lists are made */
-    state->stale = state->stale || dem_domain_offset_turns(d) == 0.0 ? state->stale : 1;
+    if (dem_domain_offset_turns(d) != 0.0)
+    {
+        dem_request_rebuild(state);
+    }
     return invalid == 0.0 ? sqrt(square) : INFINITY;
 }
 

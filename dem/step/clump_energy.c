@@ -19,31 +19,31 @@ struct motion    /* of a body in a kick */
 };
 
 int dem_clump_energy_reserve(struct dem_clump_flow *f, const struct dem_clumps *c,
-                             const struct dem_effect_list *bodies, size_t n)
+                             const struct dem_effect_list *effects, size_t n)
 {
     DEM_TRY(DEM_GROW(f->sums, f->sums_capacity, c->groups*DEM_CLUMP_LANES + 1));
-    DEM_TRY(DEM_GROW(f->own, f->own_capacity, 3*n*(size_t)bodies->entries + 1));
+    DEM_TRY(DEM_GROW(f->own, f->own_capacity, 3*n*(size_t)effects->entries + 1));
     return DEM_GROW(f->before, f->before_capacity, 6*n + 1);
 }
 
 /* The force of entry e on sphere i. */
-static double *own_force(const struct dem_clump_flow *f, const struct dem_effect_list *bodies, size_t i, int e)
+static double *own_force(const struct dem_clump_flow *f, const struct dem_effect_list *effects, size_t i, int e)
 {
-    return f->own + 3*(i*(size_t)bodies->entries + (size_t)e);
+    return f->own + 3*(i*(size_t)effects->entries + (size_t)e);
 }
 
 void dem_clump_energy_take(const struct dem_clump_flow *f, const struct dem_energy_balance *l,
-                           const struct dem_effect_list *bodies, size_t first, int rows)
+                           const struct dem_effect_list *effects, size_t first, int rows)
 {
     for (int c = 0; c < rows; c++)
     {
         const size_t i = first + (size_t)c;
 
-        for (int e = 0; e < bodies->entries && f->part[i].form; e++)
+        for (int e = 0; e < effects->entries && f->part[i].form; e++)
         {
             for (int a = 0; a < 3; a++)
             {
-                own_force(f, bodies, i, e)[a] = f->part[i].share*l->scratch->own[e][a][c];
+                own_force(f, effects, i, e)[a] = f->part[i].share*l->scratch->own[e][a][c];
             }
         }
     }
@@ -130,7 +130,7 @@ static void add_drag(struct dem_sum *sum, const struct motion *m, const struct d
     dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_LOST], work - kept);
 }
 
-void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effect_list *bodies,
+void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effect_list *effects,
                             const struct dem_clumps *c, const struct dem_particles *p, double h, double window)
 {
     for (size_t body = 0; body < c->n; body++)
@@ -142,9 +142,9 @@ void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effec
             continue;
         }
         find_motion(c, body, p, h, &m);
-        for (int e = 0; e < bodies->entries; e++)
+        for (int e = 0; e < effects->entries; e++)
         {
-            const struct dem_effect *const effect = bodies->entry[e].effect;
+            const struct dem_effect *const effect = effects->entry[e].effect;
             struct dem_sum *const sum = dem_energy_balance_sums_of(l, effect);
 
             for (size_t k = c->start[body]; k < c->start[body + 1] && !effect->uniform_acceleration; k++)
@@ -153,7 +153,7 @@ void dem_clump_energy_after(struct dem_energy_balance *l, const struct dem_effec
 
                 velocity_of(&m, c, body, k, v);
                 dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_WORK],
-                                       h*dem_vec_dot(own_force(c->flow, bodies, c->member[k], e), v));
+                                       h*dem_vec_dot(own_force(c->flow, effects, c->member[k], e), v));
             }
             if (effect->drag)
             {

@@ -20,14 +20,14 @@
 #include "records/energy_balance.h"
 
 /* Before the sweeps: room for n particles. */
-int dem_clump_energy_reserve(struct dem_clump_flow *, const struct dem_clumps *, const struct dem_effect_list *bodies,
+int dem_clump_energy_reserve(struct dem_clump_flow *, const struct dem_clumps *, const struct dem_effect_list *effects,
                              size_t n);
 
 /* After the effects of a batch: keep the shares of their forces. */
 void dem_clump_energy_take(const struct dem_clump_flow *, const struct dem_energy_balance *,
-                           const struct dem_effect_list *bodies, size_t first, int rows);
+                           const struct dem_effect_list *effects, size_t first, int rows);
 
 /* Before the kick of all bodies, and after it, over h in a window of this length [s]. */
 void dem_clump_energy_before(const struct dem_clumps *, const struct dem_particles *);
-void dem_clump_energy_after(struct dem_energy_balance *, const struct dem_effect_list *bodies,
+void dem_clump_energy_after(struct dem_energy_balance *, const struct dem_effect_list *effects,
                             const struct dem_clumps *, const struct dem_particles *, double h, double window);

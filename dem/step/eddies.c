@@ -37,7 +37,7 @@ static double slip(const struct dem_particles *particles, size_t i)
     return sqrt(w[0]*w[0] + w[1]*w[1] + w[2]*w[2]);
 }
 
-void dem_eddies_advance(struct dem_particles *particles, const struct dem_effect_list *bodies,
+void dem_eddies_advance(struct dem_particles *particles, const struct dem_effect_list *effects,
                         double dt, int64_t step)
 {
     const double *const turbulence = dem_column(particles, DEM_COLUMN_TURBULENCE);
@@ -47,11 +47,11 @@ void dem_eddies_advance(struct dem_particles *particles, const struct dem_effect
     {
         return;
     }
-    for (int k = 0; k < bodies->entries; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
-        if (bodies->entry[k].effect->eddies)
+        if (effects->entry[k].effect->eddies)
         {
-            bodies->entry[k].effect->eddies(bodies->entry[k].settings, &model);
+            effects->entry[k].effect->eddies(effects->entry[k].settings, &model);
         }
     }
     for (size_t i = 0; i < particles->n; i++)

@@ -10,7 +10,7 @@
 
 /* Time dt [s] passes; particles whose time in an eddy is over enter another one. Nothing without an
    effect that has eddies. `step`: number of the step, for the random numbers. */
-void dem_eddies_advance(struct dem_particles *, const struct dem_effect_list *bodies, double dt,
+void dem_eddies_advance(struct dem_particles *, const struct dem_effect_list *effects, double dt,
                         int64_t step);
 
 /* Fluctuation of the fluid velocity at particle i [m/s]; 0 without eddies. */

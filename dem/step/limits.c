@@ -88,7 +88,7 @@ int dem_limits_check_status(const struct dem_state *state)
     const struct dem_limits *const w = &state->limits;
     char names[160];
 
-    if (w->overlap <= w->limit)
+    if (w->overlap <= w->overlap_limit)
     {
         return DEM_OK;
     }
@@ -107,7 +107,7 @@ int dem_limits_check_status(const struct dem_state *state)
         DEM_ERROR_NUMBER,
         "%s near (%g %g %g) m overlap by %.3g of a diameter at step %lld, the limit is %g; use a "
         "smaller step or a stiffer material, or raise time/maxOverlap",
-        names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)state->steps, w->limit);
+        names, w->x[0], w->x[1], w->x[2], w->overlap, (long long)state->steps, w->overlap_limit);
 }
 
 /* ---- displacements --------------------------------------------------------------------------- */
@@ -148,7 +148,7 @@ double dem_limits_max_wall_displacement(const struct dem_state *state)
 
 double dem_limits_max_speed(const struct dem_state *state)
 {
-    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
+    const double limit = state->limits.speed_limit > 0.0 ? state->limits.speed_limit : INFINITY;
 
     return fmin(fmin(limit, dem_particle_max_speed),
                 (min_radius_of(state) - two_sided_displacement(&state->walls))/state->dt);
@@ -175,7 +175,7 @@ static int check_turns(const struct dem_state *state)
 int dem_limits_check_displacements(const struct dem_state *state, double max_speed)
 {
     const double light = dem_particle_max_speed, dt = state->dt;
-    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
+    const double limit = state->limits.speed_limit > 0.0 ? state->limits.speed_limit : INFINITY;
     const double min_radius = min_radius_of(state);
 
     DEM_REQUIRE(

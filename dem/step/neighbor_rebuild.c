@@ -183,7 +183,7 @@ static int insert_arrivals(struct dem_state *state)
     const size_t first = state->particles.n;
     const struct dem_body_sweep backward = {
         .kick = -0.5*state->dt,
-        .clumps = state->clumps.flow,
+        .clump_flow = state->clumps.flow,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL}};
     struct dem_body_pass pass;
@@ -245,7 +245,7 @@ static int remove_particles(struct dem_state *state, int weighted, int status)
 
 int dem_neighbor_change_particles(struct dem_state *state)
 {
-    state->stale = 2;
+    state->neighbor_lists = DEM_LISTS_NONE;
     DEM_TRY(remove_particles(state, 0, DEM_OK));
     return migrate(state, 0, 0);
 }
@@ -269,7 +269,7 @@ int dem_neighbor_prune(struct dem_state *state, int rebuilt)
     DEM_TRY(dem_agree(state, status));
     dem_wall_touches_set_rows(&state->touches, &state->pairs.wall_search, &state->contacts,
                               &state->interaction_table);
-    dem_halo_select_candidates(&state->halo, &state->particles, &state->contacts);
+    dem_halo_select_needed(&state->halo, &state->particles, &state->contacts);
     return DEM_OK;
 }
 
@@ -318,7 +318,7 @@ static int build_lists(struct dem_state *state, int status)
     status = status ? status
                     : dem_pairs_find(&state->pairs, &state->domain, &state->particles,
                                      &state->walls, &state->interaction_table, &state->contacts);
-    status = status ? status : dem_halo_reserve_candidates(&state->halo, &state->particles);
+    status = status ? status : dem_halo_reserve_needed(&state->halo, &state->particles);
     status = status ? status : dem_wall_touches_reserve(&state->touches, &state->pairs.wall_search);
     DEM_TRY(dem_agree(state, status));
     dem_walls_reset_marks(&state->walls, DEM_LIST_OUTER);
@@ -334,7 +334,7 @@ static int build_lists(struct dem_state *state, int status)
 int dem_neighbor_rebuild(struct dem_state *state)
 {
     const int rebalance = dem_load_balance_pays(&state->load_balance, &state->decomposition),
-              weighted = rebalance && state->stale < 2;
+              weighted = rebalance && state->neighbor_lists != DEM_LISTS_NONE;
     dem_clumps_store(&state->clumps, &state->particles);
 
     int status = weighted
@@ -351,7 +351,7 @@ int dem_neighbor_rebuild(struct dem_state *state)
     }
     DEM_TRY(remove_particles(state, weighted, status));
     DEM_TRY(build_lists(state, migrate(state, rebalance, weighted)));
-    state->stale = 0;
+    state->neighbor_lists = DEM_LISTS_VALID;
     state->rebuilds++;
     return DEM_OK;
 }

@@ -34,7 +34,7 @@ static double used(const struct dem_state *state, enum dem_list list, double fur
 
 int dem_neighbor_agreement_due(const struct dem_state *state, double moved)
 {
-    int due = state->stale || dem_flows_due(state) ||
+    int due = state->neighbor_lists != DEM_LISTS_VALID || dem_flows_due(state) ||
     (state->domain.remove && dem_neighbor_removal_is_due(state));
 
     for (enum dem_list l = 0; l < DEM_LISTS && !due; l++)
@@ -88,20 +88,20 @@ static int needs_wrap(const struct dem_state *state, int observed)
     return needs;
 }
 
-/* Measure displacements for the lists whose bound is exhausted, or for both. `stale`: 1 for each
+/* Measure displacements for the lists whose bound is exhausted, or for both. `expired`: 1 for each
    list whose skin is used up. */
-static int check_lists(struct dem_state *state, int both, int stale[DEM_LISTS])
+static int check_lists(struct dem_state *state, int both, int expired[DEM_LISTS])
 {
     for (enum dem_list l = 0; l < DEM_LISTS; l++)
     {
         const double skin = state->pairs.displacement[l].skin;
 
-        stale[l] = used(state, l, 0.0) > skin;
-        if (stale[l] || both)
+        expired[l] = used(state, l, 0.0) > skin;
+        if (expired[l] || both)
         {
             DEM_TRY(measure_displacements(state, l));
-            stale[l] = used(state, l, 0.0) > skin;
-            if (stale[l] || both)
+            expired[l] = used(state, l, 0.0) > skin;
+            if (expired[l] || both)
             {
                 dem_skins_choose(&state->pairs.skins, l, 0.5*used(state, l, 0.0));
             }
@@ -145,20 +145,20 @@ int dem_neighbor_check_particles(struct dem_state *state, int *changes)
 static int update_lists(struct dem_state *state, const double *moved, int n, int observed)
 {
     struct dem_pairs *const s = &state->pairs;
-    int changes, stale[DEM_LISTS] = {0, 0};
+    int changes, expired[DEM_LISTS] = {0, 0};
 
     DEM_TRY(dem_neighbor_check_particles(state, &changes));
-    if (!state->stale)
+    if (state->neighbor_lists == DEM_LISTS_VALID)
     {
         const int both = add_displacements(s, moved, n);
 
-        DEM_TRY(check_lists(state, both, stale));
-        stale[DEM_LIST_OUTER] |=
+        DEM_TRY(check_lists(state, both, expired));
+        expired[DEM_LIST_OUTER] |=
             needs_wrap(state, observed) || (both && dem_skins_pays(&s->skins, DEM_LIST_OUTER));
-        stale[DEM_LIST_INNER] |= both && dem_skins_pays(&s->skins, DEM_LIST_INNER);
+        expired[DEM_LIST_INNER] |= both && dem_skins_pays(&s->skins, DEM_LIST_INNER);
     }
     dem_timers_end_phase(state->timers, DEM_PHASE_AGREE);
-    if (state->stale || changes || stale[DEM_LIST_OUTER])
+    if (state->neighbor_lists != DEM_LISTS_VALID || changes || expired[DEM_LIST_OUTER])
     {
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_AGREE);
         dem_halo_wait(&state->halo);
@@ -169,7 +169,7 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
     }
     dem_halo_receive(&state->halo, &state->particles);
     dem_timers_end_phase(state->timers, DEM_PHASE_REFRESH);
-    if (stale[DEM_LIST_INNER])
+    if (expired[DEM_LIST_INNER])
     {
         dem_halo_send(&state->halo, &state->particles, DEM_HALO_ALL);
         dem_halo_receive(&state->halo, &state->particles);

@@ -91,9 +91,9 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
     }
     dem_domain_finish(&q->domain);
     DEM_TRY(dem_interaction_table_share(&p->interaction_table, &q->interaction_table));
-    q->limits.limit = 1.0;
+    q->limits.overlap_limit = 1.0;
     q->max_dt = p->max_dt;
-    q->stale = 2;                                         /* no neighbor lists yet */
+    q->neighbor_lists = DEM_LISTS_NONE;
     DEM_TRY(dem_decomposition_init(&q->decomposition, MPI_COMM_NULL, 0, 1));
     dem_halo_init(&q->halo, &q->decomposition);
     dem_wall_store_init(&q->wall_store, &q->decomposition);
@@ -104,7 +104,7 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
     dem_pairs_init(&q->pairs, &q->domain, skin, q->interaction_table.reach, 0.5*d);
     DEM_TRY(dem_wall_search_prepare(&q->pairs.wall_search, &q->walls, 0.5*d));
     DEM_TRY(dem_neighbor_rebuild(q));
-    q->stale = 0;
+    q->neighbor_lists = DEM_LISTS_VALID;
     return DEM_OK;
 }
 

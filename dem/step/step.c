@@ -146,9 +146,9 @@ static int agree_now(struct dem_state *state, double max[DEM_UNAGREED_STEPS + 1]
    was not needed. */
 static void send_ghosts(struct dem_state *state)
 {
-    if (!state->stale)
+    if (state->neighbor_lists == DEM_LISTS_VALID)
     {
-        dem_halo_send(&state->halo, &state->particles, DEM_HALO_CANDIDATES);
+        dem_halo_send(&state->halo, &state->particles, DEM_HALO_NEEDED);
         dem_timers_end_phase(state->timers, DEM_PHASE_REFRESH);
     }
 }
@@ -159,7 +159,7 @@ static int agree(struct dem_state *state, double max_speed, int last,
                  double max[DEM_UNAGREED_STEPS + 1], int *n)
 {
     struct dem_unagreed *const u = &state->unagreed;
-    const double limit = state->limits.max_speed > 0.0 ? state->limits.max_speed : INFINITY;
+    const double limit = state->limits.speed_limit > 0.0 ? state->limits.speed_limit : INFINITY;
 
     u->moved[u->n++] = max_speed*state->dt;
     u->bound += limit*state->dt;
@@ -212,11 +212,11 @@ struct dem_body_sweep dem_step_sweep(const struct dem_state *state, double kick,
         .domain = &state->domain,
         .time = state->time,
         .energy_balance = state->energy_balance->open ? state->energy_balance : NULL,
-        .bodies = state->clumps.n > 0 ? &state->clumps : NULL,
-        .clumps = state->clumps.flow,
+        .clumps = state->clumps.n > 0 ? &state->clumps : NULL,
+        .clump_flow = state->clumps.flow,
         .scalars = {.table = state->interaction_table.listed ? &state->interaction_table : NULL,
                     .contacts = &state->contacts,
-                    .clumps = state->clumps.heat,
+                    .clump_heat = state->clumps.heat,
                     .h = h,
                     .window = state->window.length}};
 }
@@ -230,7 +230,7 @@ static struct dem_body_sweep sweep_options(const struct dem_state *state, const 
     sweep.contacts = &state->contacts;
     sweep.sums_first = !due->fused;
     sweep.unobserved = due->fused && !due->observed;
-    sweep.round = flat || state->cell.active || sweep.bodies ? NULL : state->domain.round;
+    sweep.round = flat || state->cell.active || sweep.clumps ? NULL : state->domain.round;
     sweep.scalars.heat = state->energy_balance->open
                              ? &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]
                              : NULL;

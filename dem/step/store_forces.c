@@ -58,12 +58,12 @@ void dem_store_observed(struct dem_contacts *c, const struct dem_batch_forces *f
 
 DEM_KERNEL
 static int store(const struct dem_contact_batch *restrict b, double factor, int past_touching,
-                 double max_overlap, struct dem_contact_force *restrict to)
+                 double overlap_so_far, struct dem_contact_force *restrict to)
 {
     typedef int64_t flags __attribute__((vector_size(32)));
 
     /* 2^-20: a margin for rounding errors */
-    const double limit = 2.0*max_overlap*(1.0 - 0x1p-20);
+    const double limit = 2.0*overlap_so_far*(1.0 - 0x1p-20);
     flags check = {0, 0, 0, 0};
     const double *const depth = past_touching ? b->gap : b->overlap;
     const double signed_factor = past_touching ? -factor : factor;
@@ -113,11 +113,11 @@ static void store_moments(const struct dem_contact_batch *restrict b,
 }
 
 int dem_store_forces(const struct dem_contact_batch *b, double factor, int past_touching,
-                     double max_overlap, struct dem_batch_forces to)
+                     double overlap_so_far, struct dem_batch_forces to)
 {
     if (to.moment)
     {
         store_moments(b, to.moment);
     }
-    return store(b, factor, past_touching, max_overlap, to.force);
+    return store(b, factor, past_touching, overlap_so_far, to.force);
 }

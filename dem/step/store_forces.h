@@ -21,9 +21,9 @@ struct dem_batch_forces dem_store_target(const struct dem_contact_forces *, uint
 /* Store the contact forces and moments of a batch. The lever arm is the radius minus `factor` times
    the overlap (1/2 at a pair, 1 at a wall). In a class that acts past touching, the gap is a negative
    overlap. Lanes past the last row are written to the padding of their class. Returns 1 when a row may
-   overlap by more than `max_overlap` of the smaller diameter, or its force is not a number. */
+   overlap by more than `overlap_so_far` (1, of the smaller diameter), or its force is not a number. */
 int dem_store_forces(const struct dem_contact_batch *, double factor, int past_touching,
-                     double max_overlap, struct dem_batch_forces);
+                     double overlap_so_far, struct dem_batch_forces);
 
 /* Copy the deferred rows before `end`, which are summed after the ring has wrapped around, to their
    own slots. `copied`: number of deferred rows copied so far. Returns this number after the

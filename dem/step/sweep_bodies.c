@@ -99,9 +99,9 @@ static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles 
     {
         dem_body_batch_limit_backward_drag(work, particles, first, rows, h);
     }
-    if (s->clumps)
+    if (s->clump_flow)
     {
-        dem_clump_batch_take(s->clumps, work, particles, first, rows, over_window(s));
+        dem_clump_batch_take(s->clump_flow, work, particles, first, rows, over_window(s));
     }
     kick_with_drag(work, h);
     dem_body_batch_sum_drag(work, particles, first, rows, h);
@@ -115,17 +115,17 @@ static void kick_in_fluid(struct dem_body_workspace *work, struct dem_particles 
     }
 }
 
-/* An effect in a scene with particle scalars; not inlined, so that other scenes have not an
-   instruction of it. */
+/* An effect in a scene with particle scalars; not inlined, so that scenes
+   without scalars do not carry its instructions. */
 __attribute__((noinline)) static void apply_with_scalars(const struct dem_effect_entry *e,
                                                          struct dem_body_batch *batch,
-                                                         const struct dem_effect_list *bodies,
+                                                         const struct dem_effect_list *effects,
                                                          struct dem_body_scalars *scalars)
 {
     dem_body_scalars_select(scalars, batch, e);
     if (e->grains)
     {
-        dem_parcels_apply(e, batch, scalars->value[bodies->parcel_scalar]);
+        dem_parcels_apply(e, batch, scalars->value[effects->parcel_scalar]);
     }
     else
     {
@@ -134,10 +134,10 @@ __attribute__((noinline)) static void apply_with_scalars(const struct dem_effect
 }
 
 /* All body effects on a batch, with the energy balance if there is one. */
-static void apply_effects(struct dem_body_workspace *work, const struct dem_effect_list *bodies,
+static void apply_effects(struct dem_body_workspace *work, const struct dem_effect_list *effects,
                           struct dem_energy_balance *energy, struct dem_body_scalars *scalars)
 {
-    for (int k = 0; k < bodies->entries; k++)
+    for (int k = 0; k < effects->entries; k++)
     {
         if (energy)
         {
@@ -145,11 +145,11 @@ static void apply_effects(struct dem_body_workspace *work, const struct dem_effe
         }
         if (scalars)
         {
-            apply_with_scalars(&bodies->entry[k], &work->batch, bodies, scalars);
+            apply_with_scalars(&effects->entry[k], &work->batch, effects, scalars);
         }
         else
         {
-            bodies->entry[k].effect->apply_to_bodies(bodies->entry[k].settings, &work->batch);
+            effects->entry[k].effect->apply_to_bodies(effects->entry[k].settings, &work->batch);
         }
         if (energy)
         {
@@ -228,9 +228,9 @@ static void forces_of_contacts(struct dem_body_pass *pass, size_t first, int row
             dem_sum_store(pass->particles, &part);
         }
     }
-    if (pass->sweep->bodies)
+    if (pass->sweep->clumps)
     {
-        dem_clump_batch_contacts(pass->sweep->bodies, part.sum, first, rows);
+        dem_clump_batch_contacts(pass->sweep->clumps, part.sum, first, rows);
     }
 }
 
@@ -244,21 +244,21 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     struct applied applied;
 
     forces_of_contacts(pass, first, rows);
-    dem_body_batch_gather(work, particles, first, rows, pass->bodies->needs);
+    dem_body_batch_gather(work, particles, first, rows, pass->effects->needs);
     if (fluid)
     {
         dem_body_batch_gather_fluid(work, particles, first, rows, over_window(s));
     }
-    if (s->clumps)
+    if (s->clump_flow)
     {
-        dem_clump_batch_begin(s->clumps, work, first, rows, (pass->bodies->needs & DEM_NEEDS_FORM) != 0);
+        dem_clump_batch_begin(s->clump_flow, work, first, rows, (pass->effects->needs & DEM_NEEDS_FORM) != 0);
     }
-    apply_effects(work, pass->bodies, s->energy_balance, pass->scalars);
+    apply_effects(work, pass->effects, s->energy_balance, pass->scalars);
     if (s->applied)
     {
         add_applied(&applied, &work->batch, s, particles, first, rows);
     }
-    if (fluid && pass->bodies->whole_drag)
+    if (fluid && pass->effects->whole_drag)
     {
         dem_body_batch_divide_by_void_fraction(work);
     }
@@ -277,7 +277,7 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
     if (s->energy_balance)
     {
         const struct dem_energy_balance_kick k = {
-            .bodies = pass->bodies,
+            .effects = pass->effects,
             .batch = &work->batch,
             .j = {work->drag_impulse_x, work->drag_impulse_y, work->drag_impulse_z},
             .first = first,
@@ -289,9 +289,9 @@ __attribute__((noinline)) static void sweep_batch(struct dem_body_pass *pass, si
             .window = s->window};
 
         dem_energy_balance_after_kick(s->energy_balance, particles, &k);
-        if (s->clumps && s->kick > 0.0)
+        if (s->clump_flow && s->kick > 0.0)
         {
-            dem_clump_energy_take(s->clumps, s->energy_balance, pass->bodies, first, rows);
+            dem_clump_energy_take(s->clump_flow, s->energy_balance, pass->effects, first, rows);
         }
     }
     if (pass->unobserved && s->round)
@@ -321,16 +321,16 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
     struct dem_body_scalars scalars;
 
     dem_body_scalars_gather(&scalars, step, pass->particles, first, rows);
-    if (step->clumps && step->h > 0.0)
+    if (step->clump_heat && step->h > 0.0)
     {
-        dem_clump_heat_begin(step->clumps, &scalars, pass->particles, first, rows);
+        dem_clump_heat_begin(step->clump_heat, &scalars, pass->particles, first, rows);
     }
     pass->scalars = &scalars;
     sweep_batch(pass, first, rows);
     pass->scalars = NULL;
-    if (step->clumps && step->h > 0.0)
+    if (step->clump_heat && step->h > 0.0)
     {
-        dem_clump_heat_take(step->clumps, pass->sweep->clumps, &scalars, pass->particles, first, rows);
+        dem_clump_heat_take(step->clump_heat, pass->sweep->clump_flow, &scalars, pass->particles, first, rows);
     }
     if (step->h > 0.0)
     {
@@ -340,13 +340,13 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
 }
 
 void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *particles,
-                      const struct dem_effect_list *bodies, const struct dem_body_sweep *s)
+                      const struct dem_effect_list *effects, const struct dem_body_sweep *s)
 {
     pass->work = !s->contacts    ? DEM_BODIES_KICK
                  : s->sums_first ? DEM_BODIES_SUM
                                  : DEM_BODIES_SUM_AND_KICK;
     pass->particles = particles;
-    pass->bodies = bodies;
+    pass->effects = effects;
     pass->sweep = s;
     pass->next = 0;
     pass->unobserved = s->unobserved;
@@ -380,11 +380,11 @@ void dem_bodies_finish_sums(struct dem_body_pass *pass)
     }
 }
 
-void dem_sweep_bodies(struct dem_particles *particles, const struct dem_effect_list *bodies,
+void dem_sweep_bodies(struct dem_particles *particles, const struct dem_effect_list *effects,
                       const struct dem_body_sweep *s)
 {
     struct dem_body_pass pass;
 
-    dem_bodies_begin_pass(&pass, particles, bodies, s);
+    dem_bodies_begin_pass(&pass, particles, effects, s);
     dem_bodies_work_until(&pass, particles->n);
 }

@@ -39,17 +39,18 @@ struct dem_body_sweep    /* options of one sweep over all particles */
     double time;
     /* energy balance that sums the work; NULL: none */
     struct dem_energy_balance *energy_balance;
-    /* `bodies`: rigid bodies of several spheres, which are kicked after the sweep; the sweep keeps their contact
-       forces. `clumps`: what a fluid does to them. Arrivals have the second alone. NULL: none */
-    const struct dem_clumps *bodies;
-    const struct dem_clump_flow *clumps;
+    /* rigid bodies of several spheres, which are kicked after the sweep; the sweep keeps their contact
+       forces. NULL: none */
+    const struct dem_clumps *clumps;
+    /* what a fluid does to them; set for arrivals, too, whose `clumps` are NULL. NULL: no fluid */
+    const struct dem_clump_flow *clump_flow;
     /* particle scalars, integrated before the kick */
     struct dem_scalar_step scalars;
 };
 
 /* Evaluate the body effects at the present state and kick all particles. Contact force and torque
    are constant over the kick; drag is integrated exactly. */
-void dem_sweep_bodies(struct dem_particles *, const struct dem_effect_list *bodies,
+void dem_sweep_bodies(struct dem_particles *, const struct dem_effect_list *effects,
                       const struct dem_body_sweep *);
 
 enum dem_bodies_work
@@ -63,8 +64,8 @@ struct dem_body_pass    /* the same sweep in parts, as far as contact forces are
 {
     enum dem_bodies_work work;
     struct dem_particles *particles;
-    /* effect list of the body effects */
-    const struct dem_effect_list *bodies;
+    /* the body effects */
+    const struct dem_effect_list *effects;
     const struct dem_body_sweep *sweep;
     /* first particle that has not been worked on */
     size_t next;
@@ -82,7 +83,7 @@ struct dem_body_pass    /* the same sweep in parts, as far as contact forces are
 /* Begin a pass over the particles; kicks none. The particles, effects and options are only
    referenced: they have to outlive the pass. */
 void dem_bodies_begin_pass(struct dem_body_pass *, struct dem_particles *,
-                      const struct dem_effect_list *bodies, const struct dem_body_sweep *);
+                      const struct dem_effect_list *effects, const struct dem_body_sweep *);
 
 /* The work of the pass on the particles up to `end`, in whole batches of DEM_BATCH_ROWS. */
 void dem_bodies_work_until(struct dem_body_pass *, size_t end);

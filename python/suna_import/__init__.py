@@ -25,7 +25,7 @@ LIGGGHTS:
 Coupled cases:
 
     cfdem.py, cfdem_models.py                    CFDEMcoupling
-    dem_script.py, dem_walls.py                  its DEM script, its walls beside patches
+    cfdem_script.py, cfdem_walls.py              its DEM script, its walls beside patches
     cloud.py, cloud_models.py, cloud_sizes.py, cloud_injection.py     OpenFOAM's clouds
     coupled_case.py                              the case that is written
     foam_dictionary.py, foam_reader.py, mesh_patches.py      OpenFOAM's dictionaries and meshes

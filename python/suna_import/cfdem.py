@@ -15,9 +15,9 @@ import re
 
 from . import cfdem_two_fluids
 from .cfdem_models import HEAT, add_equations, add_exchange, add_forces, add_kernel
+from .cfdem_script import read_dem_script
+from .cfdem_walls import place_walls
 from .coupled_case import CoupledCase
-from .dem_script import read_dem_script
-from .dem_walls import place_walls
 from .foam_dictionary import Dictionary, as_text
 from .foam_reader import existing
 from .liggghts_mesh import write_stl

@@ -15,7 +15,7 @@
  */
 #include "parallel/ranks.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include <string.h>
 
 static long reductions;

@@ -18,7 +18,7 @@
  */
 #include "parallel/ranks.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

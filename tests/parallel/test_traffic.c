@@ -23,7 +23,7 @@
  */
 #include "parallel/ranks.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "step/neighbor_rebuild.h"
 #include <math.h>
 #include <stdlib.h>

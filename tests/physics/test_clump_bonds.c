@@ -15,7 +15,7 @@
 #include "physics/bonded.h"
 #include "physics/energy.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "particles/clump.h"
 #include <math.h>
 

@@ -15,7 +15,7 @@
  */
 #include "physics/energy.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/vec.h"
 #include "input/dictionary.h"
 #include "particles/clump_flow.h"
@@ -155,7 +155,7 @@ static void single(const char *law)
         for (int c = 0; c < 3; c++)
         {
             const enum dem_column_name out[] = {DEM_COLUMN_DRAG_IMPULSE, DEM_COLUMN_RESPONSE,
-                                                DEM_COLUMN_DRAG_FRACTION};
+                                                DEM_COLUMN_TRANSMITTED_FRACTION};
             const double of[2] = {dem_column(&sphere->state.particles, out[c])[0],
                                   dem_column(&body->state.particles, out[c])[0]};
 

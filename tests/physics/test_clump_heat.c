@@ -10,7 +10,7 @@
  */
 #include "physics/energy.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "particles/clump.h"
 #include <float.h>
 #include <math.h>

@@ -20,7 +20,7 @@
 #include "physics/energy.h"
 #include <unistd.h>
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/vec.h"
 #include "input/dictionary.h"
 #include "particles/clump_shape.h"

@@ -12,7 +12,7 @@
  */
 #include "physics/world.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/random.h"
 #include "laws/fused/fused.h"
 

@@ -4,7 +4,7 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "core/random.h"
 #include "physics/world.h"
 

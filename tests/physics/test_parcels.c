@@ -5,7 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "world.h"
-#include "case/internal.h"
+#include "case/simulation.h"
 #include "laws/effects.h"
 
 #include <math.h>

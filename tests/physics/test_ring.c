@@ -13,7 +13,7 @@
  */
 #include "physics/world.h"
 
-#include "case/internal.h"
+#include "case/simulation.h"
 
 #include <math.h>
 

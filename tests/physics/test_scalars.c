@@ -6,7 +6,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "world.h"
-#include "case/internal.h"
+#include "case/simulation.h"
 
 #include <math.h>
 

@@ -60,7 +60,7 @@ static double frozen(int whole, double *time)
     WORLD_TRY(dem_fluid(w, &f));
     const double impulse = f.drag_impulse[2];
 
-    *time = f.drag_time[0];
+    *time = f.drag_integral[0];
     dem_free(w);
     return impulse;
 }

@@ -70,6 +70,8 @@ def store_tables(text, runs):
     lines = [f"{text}:", "", "| | measured | " + " | ".join(label for label, _ in runs) + " |",
              "|---|---|" + "---|"*len(runs)]
     for name in columns[0]:
+        if name.startswith(("largest", "pressure drop")):
+            continue
         unit = columns[0][name]["unit"].replace("1", "")
         cells = [f"{float(column[name]['value']):.3g}" for column in columns]
         lines.append(f"| {name}{', ' if unit else ''}{unit} | {MEASURED.get(name, '')} | {' | '.join(cells)} |")

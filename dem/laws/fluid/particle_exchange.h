@@ -48,10 +48,10 @@ static inline double dem_exchange_force(double coefficient, double velocity, dou
     return coefficient*velocity - impulse/window;
 }
 
-/* 1/tau [1/s]; drag_time is B, over_inertia 1/(m + a) */
-static inline double dem_exchange_rate(double drag_time, double window, double over_inertia)
+/* 1/tau [1/s]; drag_integral is B, over_inertia 1/(m + a) */
+static inline double dem_exchange_rate(double drag_integral, double window, double over_inertia)
 {
-    return drag_time*over_inertia/window;
+    return drag_integral*over_inertia/window;
 }
 
 /* Under-relaxation factor theta of the pressure gradient and of Du/Dt at a particle: density_ratio

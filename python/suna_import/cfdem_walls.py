@@ -1,4 +1,4 @@
-"""dem_walls.py -- walls of a DEM script beside the patches of the mesh that they stand on.
+"""cfdem_walls.py -- walls of a DEM script beside the patches of the mesh that they stand on.
 
 In CFDEMcoupling the particles have walls of their own and the mesh has patches, often at the same
 place. In Suna wall patches are walls of the particles, so a wall must not act twice:

@@ -1,4 +1,4 @@
-"""dem_script.py -- what a coupled case needs of the DEM script of CFDEMcoupling: materials, contact
+"""cfdem_script.py -- what a coupled case needs of the DEM script of CFDEMcoupling: materials, contact
 laws, walls, particles.
 
     dem = read_dem_script(Path("DEM/in.liggghts_run"), Path("ErgunTestMPI"), report)
@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy
 
-from .dem_walls import Wall
+from .cfdem_walls import Wall
 from .liggghts import Translation
 from .liggghts_contact import Need, laws
 from .liggghts_insertion import group_entries, stream_entries

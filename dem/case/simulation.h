@@ -1,5 +1,5 @@
 /*
- * internal.h -- struct dem, a run, and the functions that the files of case/ and run/ share.
+ * simulation.h -- struct dem, a simulation, and the functions that the files of case/ and run/ share.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -83,42 +83,42 @@ struct dem
 };
 
 /* DEM_ERROR_STATE, with the name of the call, after a dem_advance that failed. */
-int dem_api_require_sound(const struct dem *, const char *call);
+int dem_sim_require_sound(const struct dem *, const char *call);
 
 /* An error when n, the number of `items` given in a call, is below 0 or above what memory can hold. */
-int dem_api_require_count(const char *call, const char *items, int64_t n);
+int dem_sim_require_count(const char *call, const char *items, int64_t n);
 
 /* Collective. All ranks fail when one does: a rank without an error of its own reports that
    another one failed. */
-int dem_api_agree(const struct dem *, int status);
+int dem_sim_agree(const struct dem *, int status);
 
 /* Collective. Concatenate n items of `size` doubles from each rank, in the order of the ranks. A rank
    that has failed before, with this status, takes part, and all ranks fail.
    *items belongs to the caller (dem_memory_free) and is set only on success; NULL without items. */
-int dem_api_gather(const struct dem_state *, int status, size_t size, size_t n, const double *mine,
+int dem_sim_gather(const struct dem_state *, int status, size_t size, size_t n, const double *mine,
                    double **items, size_t *number);
 
 /* Collective. The triangles and velocities of a patch, of all ranks: the arguments of
    dem_flow_patch. NULL: the call has failed before, with this status. */
-int dem_api_gather_patch(struct dem *, int status, struct dem_flow_patch *, int64_t n,
+int dem_sim_gather_patch(struct dem *, int status, struct dem_flow_patch *, int64_t n,
                          const double *triangles, const double *velocity);
-struct dem_flow_patch *dem_api_find_patch(const struct dem *, const char *name);    /* or NULL */
+struct dem_flow_patch *dem_sim_find_patch(const struct dem *, const char *name);    /* or NULL */
 
 /* Give the triangles of a patch to the streams that enter through it. */
-int dem_api_give_patch(struct dem *, const struct dem_flow_patch *);
+int dem_sim_give_patch(struct dem *, const struct dem_flow_patch *);
 
 /* Collective. New corners of a wall of the program, for the next advance. */
-int dem_api_copy_corners(struct dem *, const char *call, const char *name, int64_t n,
+int dem_sim_copy_corners(struct dem *, const char *call, const char *name, int64_t n,
                          const double *triangles, struct dem_mesh_wall **);
 
 /* Collective. Set where the triangles of a wall will be at the end of the next advance; with
    `now`, where they are. */
-int dem_api_move_wall(struct dem *, const struct dem_mesh_wall *, int now);
+int dem_sim_move_wall(struct dem *, const struct dem_mesh_wall *, int now);
 
 /* DEM_ERROR_INPUT when a value of the fluid that the effects read (fluid_entry) is not given at a
    particle of this rank. */
-int dem_api_require_fluid_scalars(const struct dem *);
-double dem_api_max_radius(const struct dem *);    /* m  0 without particles */
+int dem_sim_require_fluid_scalars(const struct dem *);
+double dem_sim_max_radius(const struct dem *);    /* m  0 without particles */
 
 /* The scene of the run, for its snapshots; the caller frees it. On the first rank. */
-int dem_api_describe_scene(const struct dem *, struct dem_snapshot_scene *);
+int dem_sim_describe_scene(const struct dem *, struct dem_snapshot_scene *);
