@@ -66,6 +66,20 @@ Foam::tmp<Foam::surfaceScalarField> Foam::phaseTransport::unlimitedFlux() const
 }
 
 
+// Through all patches that are no interface between parts of the mesh [m3/s]. Collective.
+Foam::scalar Foam::phaseTransport::outflow() const
+{
+    scalar sum = 0;
+
+    forAll(alphaFlux_.boundaryField(), patchi)
+    {
+        const fvsPatchScalarField& flux = alphaFlux_.boundaryField()[patchi];
+        sum += flux.coupled() ? 0 : Foam::sum(flux);
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
 void Foam::phaseTransport::subCycle
 (
     const scalarField& weight,
@@ -124,6 +138,8 @@ Foam::phaseTransport::phaseTransport
     alphaFlux_("alphaFlux", 0*flux),
     oldAlpha_(alpha.primitiveField()),
     oldWeight_(weight_.primitiveField()),
+    oldLeft_(0),
+    left_(0),
     moved_(false)
 {}
 
@@ -137,6 +153,7 @@ void Foam::phaseTransport::beginStep()
     {
         oldWeight_ *= mesh_.V0().field()/mesh_.V().field();
     }
+    oldLeft_ = left_;
     moved_ = false;
 }
 
@@ -165,11 +182,12 @@ void Foam::phaseTransport::solve()
     }
     weight_.primitiveFieldRef() = before;
     weight_.correctBoundaryConditions();
+    left_ = oldLeft_ + deltaT*outflow();
 
     const scalarField& alpha = alpha_.primitiveField();
     Info<< alpha_.name() << " between " << gMin(alpha) << " and 1 + " << gMax((alpha - 1)())
-        << ", volume " << gSum((mesh_.V().field()*weight_.primitiveField()*alpha)()) << " m3"
-        << endl;
+        << ", volume " << gSum((mesh_.V().field()*weight_.primitiveField()*alpha)())
+        << " m3, left " << left_ << " m3" << endl;
 }
 
 

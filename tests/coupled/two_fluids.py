@@ -92,6 +92,11 @@ PIMPLE {{ nOuterCorrectors {outer}; nCorrectors {correctors}; nNonOrthogonalCorr
         """A field at the last time, one row a cell."""
         return self.field(f"{self.times()[-1]}/{name}")
 
+    def kept(self):
+        """Largest change of the volume of water with what has left, over the largest volume; from the log."""
+        water = self.numbers(r"volume (\S+) m3, left (\S+) m3", "demInterFoam")
+        return np.ptp(water.sum(axis=1))/water[:, 0].max()
+
     def bounds(self):
         """Least alpha, largest alpha - 1 and volumes of water, from the log: one row an iteration."""
         return self.numbers(r"alpha.water between (\S+) and 1 \+ (\S+), volume (\S+) m3", "demInterFoam")

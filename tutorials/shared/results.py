@@ -104,14 +104,14 @@ def worst(run, key):
                default=numpy.nan)
 
 
-def balances(table, part, run, volume=True):
-    """Rows of demInterFoam: alpha in [0, 1], the exchange and, in a closed vessel, the volume of water."""
+def balances(table, part, run):
+    """Rows of demInterFoam: volume of water with what has left, alpha in [0, 1], the exchange."""
     number = r"([-+0-9.eE]+)"
-    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}, volume {number} m3",
-                                   solver_log(run)), float)
-    if volume:
-        table.add(part, "volume of water, relative change", 0, numpy.ptp(alpha[:, 2])/alpha[0, 2],
-                  allowed=1e-9, source="identity")
+    alpha = numpy.array(re.findall(rf"alpha.water between {number} and 1 \+ {number}, volume {number} m3, "
+                                   rf"left {number} m3", solver_log(run)), float)
+    if alpha[:, 2].any():
+        table.add(part, "volume of water, relative change", 0,
+                  numpy.ptp(alpha[:, 2] + alpha[:, 3])/alpha[:, 2].max(), allowed=1e-9, source="identity")
     table.add(part, "alpha outside of [0, 1]", 0, max(-alpha[:, 0].min(), alpha[:, 1].max()),
               allowed=1e-9, source="identity")
     table.add(part, "exchange of momentum, largest relative error", 0, worst(run, "exchange error"),

@@ -160,7 +160,7 @@ def main():
             if line:
                 table.add(name, "slope of the water", 0, *line, unit="degrees")
                 table.add(name, "height of the water", 0, 1e3*height[0], 1e3*height[1], unit="mm")
-        results.balances(table, name, run, volume=name != "dry")
+        results.balances(table, name, run)
     table.write(HERE)
     with results.pictures():
         draw(runs, beds)

@@ -63,7 +63,7 @@ def bulk_density(run):
 
 
 def balances(table, run):
-    results.balances(table, run.name, run, volume=False)
+    results.balances(table, run.name, run)
     last = frames.read_table(run, "dem", "budget.csv")[-1]
     table.add(run.name, "volume that no flow explains over volume that left", 0,
               abs(float(last["rest.volume[m3]"])/float(last["flow:outlet.volume[m3]"])), allowed=1e-9, source="identity")

@@ -34,6 +34,7 @@ claim_runs("runs", case, "demInterFoam")
 low, high, volume = case.bounds().T
 grown = volume - volume[0] - speed*area*1e-3*np.arange(len(volume))
 claim("the water grows by the inflow (1e-12 of it)", largest(grown) < 1e-12*volume[0], largest(grown)/volume[0])
+claim("the log tells what came in (1e-12)", case.kept() < 1e-12, case.kept())
 claim("alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
 e, z = case.interior("voidFraction"), case.centres()[:, 2]
 grains = case.particles(case.times()[-1], "positions", "d")
@@ -81,6 +82,7 @@ for name, drain, entry, inside, velocity, moves in (("air enters water", "z-", "
     claim(f"{name}: {'all cells' if moves else 'the cells of that half'} move at {velocity} m/s ({bound:g})",
           difference(U, np.full_like(U, velocity)) < bound*abs(velocity), *U)
     low, high, volume = case.bounds().T
+    claim(f"{name}: the log tells what came and left (1e-12)", case.kept() < 1e-12, case.kept())
     claim(f"{name}: alpha stays in [0, 1] (1e-12)", low.min() > -1e-12 and high.max() < 1e-12, low.min(), high.max())
 
 # ---- the order of particles in memory, which follows from neighbor lists ---------------------------------
