@@ -18,25 +18,25 @@ static double height(const struct dem_particle *r, const double up[3])
 }
 
 /* m3: volume of particles below a height; of those that move, or of all. */
-static double volume_below(const struct dem_state *p, const double up[3], double z, int all)
+static double volume_below(const struct dem_state *state, const double up[3], double z, int all)
 {
     double volume = 0.0;
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_particle *const r = &state->particles.record[i];
         const double s = fmax(-1.0, fmin(1.0, (z - height(r, up))/r->radius));
 
         if (s > -1.0 && (all || !(r->flags & DEM_PARTICLE_FROZEN)))
         {
-            volume += 0.25*(2.0 + 3.0*s - s*s*s)*dem_totals_volume(p, r);
+            volume += 0.25*(2.0 + 3.0*s - s*s*s)*dem_totals_volume(state, r);
         }
     }
-    dem_collect_sum_double(&p->decomposition, &volume, 1);
+    dem_collect_sum_double(&state->decomposition, &volume, 1);
     return volume;
 }
 
-static double height_of(const struct dem_state *p, const double up[3], const double range[2],
+static double height_of(const struct dem_state *state, const double up[3], const double range[2],
                         double volume)
 {
     double low = range[0], high = range[1];
@@ -44,7 +44,7 @@ static double height_of(const struct dem_state *p, const double up[3], const dou
     for (int k = 0; k < 34; k++)
     {
         const double z = 0.5*(low + high);
-        const int below = volume_below(p, up, z, 0) < volume;
+        const int below = volume_below(state, up, z, 0) < volume;
 
         low = below ? z : low;
         high = below ? high : z;
@@ -52,11 +52,11 @@ static double height_of(const struct dem_state *p, const double up[3], const dou
     return 0.5*(low + high);
 }
 
-int dem_bed_packing_measure(const struct dem_state *p, struct dem_bed_packing *b)
+int dem_bed_packing_measure(const struct dem_state *state, struct dem_bed_packing *b)
 {
     double g[3], range[2] = {INFINITY, INFINITY};
 
-    dem_interaction_table_gravity(&p->interaction_table, g);
+    dem_interaction_table_gravity(&state->interaction_table, g);
     const double size = sqrt(g[0]*g[0] + g[1]*g[1] + g[2]*g[2]);
 
     if (size == 0.0)
@@ -67,9 +67,9 @@ int dem_bed_packing_measure(const struct dem_state *p, struct dem_bed_packing *b
     {
         b->up[k] = g[k] == 0.0 ? 0.0 : -g[k]/size;
     }
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_particle *const r = &state->particles.record[i];
 
         if (!(r->flags & DEM_PARTICLE_FROZEN))
         {
@@ -77,17 +77,17 @@ int dem_bed_packing_measure(const struct dem_state *p, struct dem_bed_packing *b
             range[1] = fmin(range[1], -height(r, b->up) - r->radius);
         }
     }
-    dem_collect_min_double(&p->decomposition, range, 2);
+    dem_collect_min_double(&state->decomposition, range, 2);
     if (!isfinite(range[0]))
     {
         return 0;
     }
     range[1] = -range[1];
-    const double moving = volume_below(p, b->up, range[1], 0);
+    const double moving = volume_below(state, b->up, range[1], 0);
 
-    b->low = height_of(p, b->up, range, lower_part*moving);
-    b->high = height_of(p, b->up, range, upper_part*moving);
-    b->solid = volume_below(p, b->up, b->high, 1) - volume_below(p, b->up, b->low, 1);
+    b->low = height_of(state, b->up, range, lower_part*moving);
+    b->high = height_of(state, b->up, range, upper_part*moving);
+    b->solid = volume_below(state, b->up, b->high, 1) - volume_below(state, b->up, b->low, 1);
     return 1;
 }
 

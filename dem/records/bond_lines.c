@@ -78,10 +78,10 @@ static int write_lines(const struct dem_file_ranks *by, const char *folder, cons
     return dem_vtk_write_lines(by, path, n, columns, (int)(sizeof columns/sizeof columns[0]));
 }
 
-int dem_bonds_write_lines(struct dem_state *p, const char *says, const char *folder,
+int dem_bonds_write_lines(struct dem_state *state, const char *says, const char *folder,
                           const char *file, double time)
 {
-    const struct dem_decomposition *const q = &p->decomposition;
+    const struct dem_decomposition *const q = &state->decomposition;
     struct dem_file_ranks by = dem_file_ranks_of(q);
     struct line *lines = NULL;
     char path[1200];
@@ -89,18 +89,18 @@ int dem_bonds_write_lines(struct dem_state *p, const char *says, const char *fol
     int status = DEM_OK;
 
     by.comment = says;
-    if (p->neighbor_lists == DEM_LISTS_NONE && p->steps > 0)
+    if (state->neighbor_lists == DEM_LISTS_NONE && state->steps > 0)
     {
         return DEM_OK;
     }
-    if (p->neighbor_lists != DEM_LISTS_NONE)
+    if (state->neighbor_lists != DEM_LISTS_NONE)
     {
-        status = dem_bonds_list(p, &n);
+        status = dem_bonds_list(state, &n);
     }
     status = dem_collect_agree(q, status ? status : DEM_NEW(lines, n + 1));
     for (int64_t k = 0; k < n && !status; k++)
     {
-        lines[k] = line_of(&p->bonds->intact[k]);
+        lines[k] = line_of(&state->bonds->intact[k]);
     }
     status = status ? status : write_lines(&by, folder, file, lines, n);
     dem_memory_free(lines);

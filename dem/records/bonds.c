@@ -25,49 +25,49 @@ void dem_bonds_free(struct dem_bonds *b)
 }
 
 /* Ids of both partners; -1 - wall for a wall. */
-static void partner_ids(const struct dem_state *p, const struct dem_pair *q, int64_t id[2])
+static void partner_ids(const struct dem_state *state, const struct dem_pair *q, int64_t id[2])
 {
-    id[0] = p->particles.record[q->i].id;
-    id[1] = q->wall ? -1 - p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall
-                    : p->particles.record[q->j].id;
+    id[0] = state->particles.record[q->i].id;
+    id[1] = q->wall ? -1 - state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall
+                    : state->particles.record[q->j].id;
 }
 
 /* The pair of a row if this rank owns its lower particle, else NULL. */
-static const struct dem_pair *owned_pair(const struct dem_state *p, uint32_t row)
+static const struct dem_pair *owned_pair(const struct dem_state *state, uint32_t row)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contacts *const c = &state->contacts;
     const struct dem_pair *const q =
         c->rows.pair[row] == DEM_ROW_NONE ? NULL : dem_contacts_pair(c, row);
 
-    return q && q->i < p->particles.n ? q : NULL;
+    return q && q->i < state->particles.n ? q : NULL;
 }
 
 /* ---- broken bonds ---------------------------------------------------------------------------- */
 
 /* Middle of the bond. Both the centre and the result are wrapped into the box, so that the result
    does not depend on when the particle was last wrapped. */
-static void bond_position(const struct dem_state *p, const struct dem_pair *q, const double n[3],
+static void bond_position(const struct dem_state *state, const struct dem_pair *q, const double n[3],
                           double gap, double at[3])
 {
-    struct dem_particle home = p->particles.record[q->i];
+    struct dem_particle home = state->particles.record[q->i];
 
-    dem_domain_wrap(&p->domain, &home);
+    dem_domain_wrap(&state->domain, &home);
     for (int k = 0; k < 3; k++)
     {
         home.x[k] -= (home.radius + (q->wall ? gap : 0.5*gap))*n[k];
     }
-    dem_domain_wrap(&p->domain, &home);
+    dem_domain_wrap(&state->domain, &home);
     memcpy(at, home.x, sizeof home.x);
 }
 
-int dem_bonds_record(struct dem_state *p, const struct dem_contact_batch *b, uint32_t row, int rows)
+int dem_bonds_record(struct dem_state *state, const struct dem_contact_batch *b, uint32_t row, int rows)
 {
-    struct dem_bonds *const all = p->bonds;
+    struct dem_bonds *const all = state->bonds;
 
     for (int c = 0; c < rows; c++)
     {
         const struct dem_pair *const q =
-            b->broke[c] > 0.0 ? owned_pair(p, row + (uint32_t)c) : NULL;
+            b->broke[c] > 0.0 ? owned_pair(state, row + (uint32_t)c) : NULL;
 
         if (!q)
         {
@@ -76,11 +76,11 @@ int dem_bonds_record(struct dem_state *p, const struct dem_contact_batch *b, uin
         DEM_TRY(DEM_GROW(all->broken, all->capacity, all->n + 1));
         struct dem_broken_bond *const new = &all->broken[all->n++];
 
-        *new = (struct dem_broken_bond){.time = p->time,
+        *new = (struct dem_broken_bond){.time = state->time,
                                         .energy = b->lost[c],
                                         .cause = (int)b->cause[c]};
-        partner_ids(p, q, new->id);
-        bond_position(p, q, (double[]){b->nx[c], b->ny[c], b->nz[c]}, b->gap[c], new->position);
+        partner_ids(state, q, new->id);
+        bond_position(state, q, (double[]){b->nx[c], b->ny[c], b->nz[c]}, b->gap[c], new->position);
     }
     return DEM_OK;
 }
@@ -118,13 +118,13 @@ int dem_bonds_collect(struct dem_bonds *b, const struct dem_decomposition *q, in
 
 /* From j to i. At a wall from its nearest point, also where another facet has taken over the
    contact. */
-static void branch(const struct dem_state *p, const struct dem_pair *q, double r[3])
+static void branch(const struct dem_state *state, const struct dem_pair *q, double r[3])
 {
-    const struct dem_particle *const i = &p->particles.record[q->i];
+    const struct dem_particle *const i = &state->particles.record[q->i];
 
     if (q->wall)
     {
-        const struct dem_wall_touch *const at = &p->touches.touch[q->j];
+        const struct dem_wall_touch *const at = &state->touches.touch[q->j];
         double from[3];
 
         dem_vec_minus(i->x, at->point, from);
@@ -139,20 +139,20 @@ static void branch(const struct dem_state *p, const struct dem_pair *q, double r
     }
     for (int k = 0; k < 3; k++)
     {
-        r[k] = i->x[k] - p->particles.record[q->j].x[k] + p->pairs.shift[q->shift][k];
+        r[k] = i->x[k] - state->particles.record[q->j].x[k] + state->pairs.shift[q->shift][k];
     }
 }
 
-int dem_bonds_list(struct dem_state *p, int64_t *n)
+int dem_bonds_list(struct dem_state *state, int64_t *n)
 {
-    const struct dem_contacts *const c = &p->contacts;
-    struct dem_bonds *const b = p->bonds;
+    const struct dem_contacts *const c = &state->contacts;
+    struct dem_bonds *const b = state->bonds;
 
     *n = 0;
     for (uint32_t row = 0; c->forces.energy && row < c->rows.n; row++)
     {
         const struct dem_pair *const q =
-            c->forces.energy[row].bonds > 0.0 ? owned_pair(p, row) : NULL;
+            c->forces.energy[row].bonds > 0.0 ? owned_pair(state, row) : NULL;
 
         if (!q)
         {
@@ -162,9 +162,9 @@ int dem_bonds_list(struct dem_state *p, int64_t *n)
         struct dem_bond *const new = &b->intact[(*n)++];
 
         *new = (struct dem_bond){.stored = c->forces.energy[row].stored};
-        partner_ids(p, q, new->id);
-        branch(p, q, new->branch);
-        memcpy(new->position, p->particles.record[q->i].x, sizeof new->position);
+        partner_ids(state, q, new->id);
+        branch(state, q, new->branch);
+        memcpy(new->position, state->particles.record[q->i].x, sizeof new->position);
         memcpy(new->force, dem_contact_forces_of_row(&c->forces, row)->f, sizeof new->force);
         memcpy(new->moment, dem_contact_moments_of_row(&c->forces, row)->m, sizeof new->moment);
     }

@@ -15,21 +15,21 @@
 #include <math.h>
 
 /* The force of a row on i and the vector from j; 0: no force, a wall, or a row that another rank counts. */
-static int take_row(const struct dem_state *p, uint32_t row, const double **force, double l[3],
+static int take_row(const struct dem_state *state, uint32_t row, const double **force, double l[3],
                     double *overlap)
 {
-    const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row);
-    const double *const f = dem_contact_forces_of_row(&p->contacts.forces, row)->f;
+    const struct dem_pair *const q = dem_contacts_pair(&state->contacts, row);
+    const double *const f = dem_contact_forces_of_row(&state->contacts.forces, row)->f;
 
-    if (q->wall || q->i >= p->particles.n || (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0))
+    if (q->wall || q->i >= state->particles.n || (f[0] == 0.0 && f[1] == 0.0 && f[2] == 0.0))
     {
         return 0;
     }
-    const struct dem_particle *const i = &p->particles.record[q->i], *const j = &p->particles.record[q->j];
+    const struct dem_particle *const i = &state->particles.record[q->i], *const j = &state->particles.record[q->j];
 
     for (int k = 0; k < 3; k++)
     {
-        l[k] = i->x[k] - j->x[k] + p->pairs.shift[q->shift][k];
+        l[k] = i->x[k] - j->x[k] + state->pairs.shift[q->shift][k];
     }
     *force = f;
     *overlap = i->radius + j->radius - dem_vec_norm(l);
@@ -41,14 +41,14 @@ struct sums    /* stress times V; fabric; modulus times V, contacts, mass, solid
     struct dem_binned_sum stress, fabric, other;
 };
 
-static void add_segment(const struct dem_state *p, const struct dem_segment *segment, struct sums *s)
+static void add_segment(const struct dem_state *state, const struct dem_segment *segment, struct sums *s)
 {
     for (uint32_t r = segment->first; r < segment->first + segment->count; r++)
     {
         const double *f;
         double l[3], overlap;
 
-        if (!take_row(p, r, &f, l, &overlap))
+        if (!take_row(state, r, &f, l, &overlap))
         {
             continue;
         }
@@ -69,21 +69,21 @@ static void add_segment(const struct dem_state *p, const struct dem_segment *seg
 }
 
 /* Between the segments there may be rows of no contact. */
-static void add_contacts(const struct dem_state *p, struct sums *s)
+static void add_contacts(const struct dem_state *state, struct sums *s)
 {
-    const struct dem_contact_rows *const rows = &p->contacts.rows;
+    const struct dem_contact_rows *const rows = &state->contacts.rows;
 
     for (int k = 0; k < rows->classes && rows->n > 0; k++)
     {
-        add_segment(p, &rows->segment[k], s);
+        add_segment(state, &rows->segment[k], s);
     }
 }
 
-static void add_particles(const struct dem_state *p, struct sums *s)
+static void add_particles(const struct dem_state *state, struct sums *s)
 {
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const q = &p->particles.record[i];
+        const struct dem_particle *const q = &state->particles.record[i];
         const double m = q->mass, *const u = q->v;
         const double stress[6] = {-m*u[0]*u[0], -m*u[1]*u[1], -m*u[2]*u[2],
                                   -m*u[0]*u[1], -m*u[1]*u[2], -m*u[2]*u[0]};
@@ -94,7 +94,7 @@ static void add_particles(const struct dem_state *p, struct sums *s)
     }
 }
 
-void dem_cell_measure(const struct dem_state *p, struct dem_cell_measured *m)
+void dem_cell_measure(const struct dem_state *state, struct dem_cell_measured *m)
 {
     struct sums s;
     double value[18];
@@ -102,15 +102,15 @@ void dem_cell_measure(const struct dem_state *p, struct dem_cell_measured *m)
     dem_binned_sum_clear(&s.stress);
     dem_binned_sum_clear(&s.fabric);
     dem_binned_sum_clear(&s.other);
-    add_contacts(p, &s);
-    add_particles(p, &s);
+    add_contacts(state, &s);
+    add_particles(state, &s);
     dem_binned_sum_flush(&s.stress);
     dem_binned_sum_flush(&s.fabric);
     dem_binned_sum_flush(&s.other);
-    dem_totals_reduce_sums(p, s.stress.sum, 6, value);
-    dem_totals_reduce_sums(p, s.fabric.sum, 6, value + 6);
-    dem_totals_reduce_sums(p, s.other.sum, 6, value + 12);
-    *m = (struct dem_cell_measured){.volume = p->domain.length[0]*p->domain.length[1]*p->domain.length[2],
+    dem_totals_reduce_sums(state, s.stress.sum, 6, value);
+    dem_totals_reduce_sums(state, s.fabric.sum, 6, value + 6);
+    dem_totals_reduce_sums(state, s.other.sum, 6, value + 12);
+    *m = (struct dem_cell_measured){.volume = state->domain.length[0]*state->domain.length[1]*state->domain.length[2],
                                     .contacts = value[15],
                                     .mass = value[16],
                                     .solid = value[17]};
@@ -122,30 +122,30 @@ void dem_cell_measure(const struct dem_state *p, struct dem_cell_measured *m)
     }
 }
 
-static void add_segment_work(struct dem_state *p, const struct dem_segment *segment, double span)
+static void add_segment_work(struct dem_state *state, const struct dem_segment *segment, double span)
 {
-    const double *const rate = p->cell.flow;
+    const double *const rate = state->cell.flow;
 
     for (uint32_t r = segment->first; r < segment->first + segment->count; r++)
     {
         const double *f;
         double l[3], overlap;
 
-        if (take_row(p, r, &f, l, &overlap))
+        if (take_row(state, r, &f, l, &overlap))
         {
-            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_CELL],
+            dem_energy_balance_add(&state->energy_balance->sum[DEM_ENERGY_BALANCE_CELL],
                                    -span*(rate[0]*f[0]*l[0] + rate[1]*f[1]*l[1] + rate[2]*f[2]*l[2]
-                                          + p->cell.shear_flow*f[0]*l[1]));
+                                          + state->cell.shear_flow*f[0]*l[1]));
         }
     }
 }
 
-void dem_cell_add_work(struct dem_state *p, double span)
+void dem_cell_add_work(struct dem_state *state, double span)
 {
-    const struct dem_contact_rows *const rows = &p->contacts.rows;
+    const struct dem_contact_rows *const rows = &state->contacts.rows;
 
-    for (int k = 0; p->cell.active && k < rows->classes && rows->n > 0; k++)
+    for (int k = 0; state->cell.active && k < rows->classes && rows->n > 0; k++)
     {
-        add_segment_work(p, &rows->segment[k], span);
+        add_segment_work(state, &rows->segment[k], span);
     }
 }

@@ -67,13 +67,13 @@ struct dem_sum *dem_energy_balance_sums_of(const struct dem_energy_balance *l,
 
 /* ---- before an effect acts ------------------------------------------------------------------- */
 
-void dem_energy_balance_begin_sweep(struct dem_state *p)
+void dem_energy_balance_begin_sweep(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_energy_balance *const l = state->energy_balance;
 
-    for (int k = 0; l->wall_elastic && k < p->walls.walls && l->sums_elastic; k++)
+    for (int k = 0; l->wall_elastic && k < state->walls.walls && l->sums_elastic; k++)
     {
-        if (!p->walls.wall[k].absent)
+        if (!state->walls.wall[k].absent)
         {
             dem_sum_clear(&l->wall_elastic[k]);
         }
@@ -86,16 +86,17 @@ void dem_energy_balance_begin_sweep(struct dem_state *p)
 
 /* Effective inertia of a moment and effective mass of a tangential force at the contact point;
    lever arms as in geometry.h. Lanes of padding repeat the last row. */
-static void inertias(struct dem_state *p, const struct dem_contact_batch *b,
+static void inertias(struct dem_state *state, const struct dem_contact_batch *b,
                      const struct dem_energy_balance_rows *r)
 {
-    struct dem_energy *const e = &p->energy_balance->scratch->energy;
+    struct dem_energy *const e = &state->energy_balance->scratch->energy;
 
     for (int c = 0; c < DEM_BATCH_ROWS; c++)
     {
         const struct dem_pair *const q =
-            dem_contacts_pair(&p->contacts, r->row + (uint32_t)(c < r->rows ? c : r->rows - 1));
-        const struct dem_particle *const i = &p->particles.record[q->i], *const j = q->wall ? NULL : &p->particles.record[q->j];
+            dem_contacts_pair(&state->contacts, r->row + (uint32_t)(c < r->rows ? c : r->rows - 1));
+        const struct dem_particle *const i = &state->particles.record[q->i],
+                                  *const j = q->wall ? NULL : &state->particles.record[q->j];
         const double depth = (j ? 0.5 : 1.0)*b->overlap[c], a = i->radius - depth, other = j ? j->radius - depth : 0.0;
         const double turn = i->inverse_inertia + (j ? j->inverse_inertia : 0.0), move = i->inverse_mass + (j ? j->inverse_mass : 0.0);
         const double slip = move + a*a*i->inverse_inertia + (j ? other*other*j->inverse_inertia : 0.0);
@@ -107,10 +108,10 @@ static void inertias(struct dem_state *p, const struct dem_contact_batch *b,
 
 /* The overlap before the drift: over the drift the distance has grown by dt v.h. A row that is
    apart now may have had an overlap. */
-void dem_energy_balance_begin_batch(struct dem_state *p, const struct dem_contact_workspace *t,
+void dem_energy_balance_begin_batch(struct dem_state *state, const struct dem_contact_workspace *t,
                                     const struct dem_energy_balance_rows *r)
 {
-    struct dem_energy_balance_scratch *const s = p->energy_balance->scratch;
+    struct dem_energy_balance_scratch *const s = state->energy_balance->scratch;
     const struct dem_contact_batch *const b = &t->batch;
     const struct dem_gathered *const g = &t->gathered;
 
@@ -124,13 +125,13 @@ void dem_energy_balance_begin_batch(struct dem_state *p, const struct dem_contac
         s->energy.previous_overlap[c] = fmax(now + b->dt*s->rate[c], 0.0);
         s->energy.previous_kn[c] = 0.0;
     }
-    inertias(p, b, r);
+    inertias(state, b, r);
 }
 
-void dem_energy_balance_before_effect(struct dem_state *p, const struct dem_contact_workspace *t,
+void dem_energy_balance_before_effect(struct dem_state *state, const struct dem_contact_workspace *t,
                                       const struct dem_energy_balance_rows *r)
 {
-    struct dem_energy_balance_scratch *const s = p->energy_balance->scratch;
+    struct dem_energy_balance_scratch *const s = state->energy_balance->scratch;
     const struct dem_contact_batch *const b = &t->batch;
 
     for (int c = 0; c < b->n; c++)
@@ -206,10 +207,10 @@ static void measure_work(struct dem_energy_balance_scratch *s, const struct dem_
     }
 }
 
-void dem_energy_balance_after_effect(struct dem_state *p, const struct dem_contact_workspace *t,
+void dem_energy_balance_after_effect(struct dem_state *state, const struct dem_contact_workspace *t,
                                      const struct dem_energy_balance_rows *r)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_energy_balance *const l = state->energy_balance;
     struct dem_energy_balance_scratch *const s = l->scratch;
     const struct dem_contact_batch *const b = &t->batch;
     const struct dem_effect *const effect = r->entry->effect;
@@ -230,15 +231,15 @@ void dem_energy_balance_after_effect(struct dem_state *p, const struct dem_conta
     }
     for (int c = 0; c < r->rows; c++)
     {
-        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, r->row + (uint32_t)c);
+        const struct dem_pair *const q = dem_contacts_pair(&state->contacts, r->row + (uint32_t)c);
 
         if (l->wall_elastic && r->list->pair.with_wall && l->sums_elastic)
         {
-            const int wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
+            const int wall = state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall;
 
             dem_energy_balance_add(&l->wall_elastic[wall], s->energy.stored[c]);
         }
-        if (q->i < p->particles.n)
+        if (q->i < state->particles.n)
         {
             const int broke = effect->stage == DEM_STAGE_BOND && b->broke[c] > s->then.broke[c];
 

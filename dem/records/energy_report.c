@@ -19,27 +19,27 @@ static void add_term(struct dem_energy_balance *l, const char *kind, const char 
 }
 
 /* Kinetic energies of translation and rotation [J]; the same on all ranks. */
-static void kinetic_energies(const struct dem_state *p, double value[2])
+static void kinetic_energies(const struct dem_state *state, double value[2])
 {
     struct dem_sum sum[2] = {0};
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
         struct dem_particle_share s;
 
-        dem_particle_share(&p->particles, i, &s);
+        dem_particle_share(&state->particles, i, &s);
         dem_sum_add(&sum[0], s.kinetic[0]);
         dem_sum_add(&sum[1], s.kinetic[1]);
     }
-    dem_totals_reduce_sums(p, sum, 2, value);
+    dem_totals_reduce_sums(state, sum, 2, value);
 }
 
-static double value_of(const struct dem_state *p, const struct dem_sum *own)
+static double value_of(const struct dem_state *state, const struct dem_sum *own)
 {
     struct dem_sum sum = *own;
     double value;
 
-    dem_totals_reduce_sums(p, &sum, 1, &value);
+    dem_totals_reduce_sums(state, &sum, 1, &value);
     return value;
 }
 
@@ -58,20 +58,20 @@ static int has_lost(const struct dem_effect *e)
 }
 
 /* The terms of contact effects: elastic energy, then heat. Returns their sum. */
-static double report_contacts(struct dem_state *p)
+static double report_contacts(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_energy_balance *const l = state->energy_balance;
     double lost[DEM_EFFECT_LIST_LIMIT], total = 0.0;
 
     for (int k = 0;
-         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
+         k < state->interaction_table.chosen && state->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
          k++)
     {
-        const struct dem_effect *const e = p->interaction_table.effect[k];
+        const struct dem_effect *const e = state->interaction_table.effect[k];
         const double stored =
-            value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_ELASTIC]);
+            value_of(state, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_ELASTIC]);
 
-        lost[k] = value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
+        lost[k] = value_of(state, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
         total += stored + lost[k];
         if (has_elastic(e))
         {
@@ -79,10 +79,10 @@ static double report_contacts(struct dem_state *p)
         }
     }
     for (int k = 0;
-         k < p->interaction_table.chosen && p->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
+         k < state->interaction_table.chosen && state->interaction_table.effect[k]->stage < DEM_STAGE_SCALAR;
          k++)
     {
-        const struct dem_effect *const e = p->interaction_table.effect[k];
+        const struct dem_effect *const e = state->interaction_table.effect[k];
 
         if (!e->energy && e->stage < DEM_STAGE_BOND)
         {
@@ -97,21 +97,21 @@ static double report_contacts(struct dem_state *p)
 }
 
 /* The heat of drag and the work of the fluid and of other body forces. Returns heat minus work. */
-static double report_bodies(struct dem_state *p)
+static double report_bodies(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_energy_balance *const l = state->energy_balance;
     double total = 0.0;
 
-    for (int k = 0; k < p->interaction_table.chosen; k++)
+    for (int k = 0; k < state->interaction_table.chosen; k++)
     {
-        const struct dem_effect *const e = p->interaction_table.effect[k];
+        const struct dem_effect *const e = state->interaction_table.effect[k];
 
         if (e->stage >= DEM_STAGE_BODY && !e->uniform_acceleration)
         {
             const double lost =
-                value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
+                value_of(state, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_LOST]);
             const double work =
-                value_of(p, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_WORK]);
+                value_of(state, &dem_energy_balance_sums_of(l, e)[DEM_ENERGY_BALANCE_WORK]);
 
             if (e->drag)
             {
@@ -125,18 +125,18 @@ static double report_bodies(struct dem_state *p)
 }
 
 /* The springs of contacts with walls that have gone. */
-static double report_gone(struct dem_state *p)
+static double report_gone(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_energy_balance *const l = state->energy_balance;
     double total = 0.0;
 
     if (!l->wall_elastic)
     {
         return 0.0;
     }
-    for (int k = 0; k < p->walls.walls; k++)
+    for (int k = 0; k < state->walls.walls; k++)
     {
-        total += p->walls.wall[k].absent ? value_of(p, &l->wall_elastic[k]) : 0.0;
+        total += state->walls.wall[k].absent ? value_of(state, &l->wall_elastic[k]) : 0.0;
     }
     add_term(l, "lost_removed", "", total);
     return total;
@@ -155,30 +155,30 @@ static int has_stage(const struct dem_interaction_table *r, enum dem_stage stage
 
 /* Heat content gained, and where it comes from. Returns the difference, 0 to rounding, less what
    contacts dissipated: that has become heat. */
-static double report_heat(struct dem_state *p)
+static double report_heat(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
-    const double heated = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEATED]),
-                 walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_WALLS]),
-                 bodies = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]),
-                 left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_OUT]),
-                 came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
+    struct dem_energy_balance *const l = state->energy_balance;
+    const double heated = value_of(state, &l->sum[DEM_ENERGY_BALANCE_HEATED]),
+                 walls = value_of(state, &l->sum[DEM_ENERGY_BALANCE_HEAT_WALLS]),
+                 bodies = value_of(state, &l->sum[DEM_ENERGY_BALANCE_HEAT_BODIES]),
+                 left = value_of(state, &l->sum[DEM_ENERGY_BALANCE_HEAT_OUT]),
+                 came = value_of(state, &l->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
     struct dem_sum sum = l->sum[DEM_ENERGY_BALANCE_CONTENT];
     double gain;
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        dem_energy_balance_add_content(p, i, 1.0, &sum);
+        dem_energy_balance_add_content(state, i, 1.0, &sum);
     }
-    dem_totals_reduce_sums(p, &sum, 1, &gain);
+    dem_totals_reduce_sums(state, &sum, 1, &gain);
     add_term(l, "heat_content", "", gain);
-    if (p->interaction_table.needs & DEM_NEEDS_DISSIPATION)
+    if (state->interaction_table.needs & DEM_NEEDS_DISSIPATION)
     {
         add_term(l, "heat_dissipated", "", heated);
     }
     add_term(l, "heat_walls", "", walls);
     add_term(l, "heat_fluid", "", bodies);
-    if (p->domain.remove || l->flows)
+    if (state->domain.remove || l->flows)
     {
         add_term(l, "heat_left", "", left);
     }
@@ -190,16 +190,16 @@ static double report_heat(struct dem_state *p)
 }
 
 /* The energy of walls that are moved by force, what they lost, less the work of their loads. */
-static double report_bodies_of_walls(struct dem_state *p)
+static double report_bodies_of_walls(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
-    const double loads = value_of(p, &l->sum[DEM_ENERGY_BALANCE_LOADS]),
-                 lost = value_of(p, &l->sum[DEM_ENERGY_BALANCE_LOST_WALLS]);
+    struct dem_energy_balance *const l = state->energy_balance;
+    const double loads = value_of(state, &l->sum[DEM_ENERGY_BALANCE_LOADS]),
+                 lost = value_of(state, &l->sum[DEM_ENERGY_BALANCE_LOST_WALLS]);
     double kinetic = 0.0;
 
-    for (int k = 0; k < p->walls.walls; k++)
+    for (int k = 0; k < state->walls.walls; k++)
     {
-        const struct dem_wall_body *const b = dem_walls_body(&p->walls, k);
+        const struct dem_wall_body *const b = dem_walls_body(&state->walls, k);
 
         kinetic += b ? dem_wall_body_kinetic(b) : 0.0;
     }
@@ -209,57 +209,57 @@ static double report_bodies_of_walls(struct dem_state *p)
     return kinetic + lost - loads;
 }
 
-static double report_all(struct dem_state *p)
+static double report_all(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
-    const double fell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_GRAVITY]),
-                 broken = value_of(p, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
-    const double walls = value_of(p, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
-                 left = value_of(p, &l->sum[DEM_ENERGY_BALANCE_OUT]);
-    const double driven = value_of(p, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
-    const double cell = value_of(p, &l->sum[DEM_ENERGY_BALANCE_CELL]);
-    const double applied = value_of(p, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
-    const double came = value_of(p, &l->sum[DEM_ENERGY_BALANCE_IN]);
+    struct dem_energy_balance *const l = state->energy_balance;
+    const double fell = value_of(state, &l->sum[DEM_ENERGY_BALANCE_GRAVITY]),
+                 broken = value_of(state, &l->sum[DEM_ENERGY_BALANCE_BROKEN]);
+    const double walls = value_of(state, &l->sum[DEM_ENERGY_BALANCE_WALLS]),
+                 left = value_of(state, &l->sum[DEM_ENERGY_BALANCE_OUT]);
+    const double driven = value_of(state, &l->sum[DEM_ENERGY_BALANCE_DRIVEN]);
+    const double cell = value_of(state, &l->sum[DEM_ENERGY_BALANCE_CELL]);
+    const double applied = value_of(state, &l->sum[DEM_ENERGY_BALANCE_APPLIED]);
+    const double came = value_of(state, &l->sum[DEM_ENERGY_BALANCE_IN]);
     double kinetic[2], g[3], total;
     const struct dem_effect *const potential =
-        dem_interaction_table_gravity(&p->interaction_table, g);
+        dem_interaction_table_gravity(&state->interaction_table, g);
 
     l->items = 0;
-    kinetic_energies(p, kinetic);
+    kinetic_energies(state, kinetic);
     add_term(l, "kinetic_translation", "", kinetic[0]);
     add_term(l, "kinetic_rotation", "", kinetic[1]);
     if (potential)
     {
         add_term(l, potential->name, "", -fell);
     }
-    total = kinetic[0] + kinetic[1] - fell + report_contacts(p);
-    total += report_gone(p);
-    if (has_stage(&p->interaction_table, DEM_STAGE_BOND))
+    total = kinetic[0] + kinetic[1] - fell + report_contacts(state);
+    total += report_gone(state);
+    if (has_stage(&state->interaction_table, DEM_STAGE_BOND))
     {
         add_term(l, "broken", "", broken);
     }
-    if (!p->walls.all_flat_static)
+    if (!state->walls.all_flat_static)
     {
         add_term(l, "work_walls", "", walls);
     }
-    if (p->walls.bodies > 0)
+    if (state->walls.bodies > 0)
     {
-        total += report_bodies_of_walls(p);
+        total += report_bodies_of_walls(state);
     }
     if (l->driven)
     {
         add_term(l, "work_driven", "", driven);
     }
-    if (p->cell.active)
+    if (state->cell.active)
     {
         add_term(l, "work_cell", "", cell);
     }
-    if (p->applied_forces.n > 0 || p->applied_forces.program.worked)
+    if (state->applied_forces.n > 0 || state->applied_forces.program.worked)
     {
         add_term(l, "work_forces", "", applied);
     }
-    total += broken - walls - applied - driven - cell + report_bodies(p);
-    if (p->domain.remove || l->flows)
+    total += broken - walls - applied - driven - cell + report_bodies(state);
+    if (state->domain.remove || l->flows)
     {
         add_term(l, "left", "", left);
     }
@@ -267,40 +267,40 @@ static double report_all(struct dem_state *p)
     {
         add_term(l, "came", "", came);
     }
-    return total + left - came + (l->heat >= 0 ? report_heat(p) : 0.0);
+    return total + left - came + (l->heat >= 0 ? report_heat(state) : 0.0);
 }
 
-void dem_energy_balance_begin(struct dem_state *p)
+void dem_energy_balance_begin(struct dem_state *state)
 {
-    p->energy_balance->driven = dem_totals_any_driven(p);
-    dem_energy_balance_begin_heat(p);
+    state->energy_balance->driven = dem_totals_any_driven(state);
+    dem_energy_balance_begin_heat(state);
     /* includes particles outside the domain, which are removed later */
-    p->energy_balance->start = report_all(p);
-    dem_sum_clear(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT]);
-    p->energy_balance->since = p->time;
-    p->energy_balance->begun = 1;
+    state->energy_balance->start = report_all(state);
+    dem_sum_clear(&state->energy_balance->sum[DEM_ENERGY_BALANCE_OUT]);
+    state->energy_balance->since = state->time;
+    state->energy_balance->begun = 1;
 }
 
-double dem_energy_balance_total(struct dem_state *p)
+double dem_energy_balance_total(struct dem_state *state)
 {
-    return report_all(p);
+    return report_all(state);
 }
 
-void dem_energy_balance_edited(struct dem_state *p, double before)
+void dem_energy_balance_edited(struct dem_state *state, double before)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
+    struct dem_energy_balance *const l = state->energy_balance;
 
     if (l->open)
     {
-        l->edited += report_all(p) - before;
+        l->edited += report_all(state) - before;
         l->edits = 1;
     }
 }
 
-void dem_energy_balance_report(struct dem_state *p)
+void dem_energy_balance_report(struct dem_state *state)
 {
-    struct dem_energy_balance *const l = p->energy_balance;
-    const double total = report_all(p) - l->edited;
+    struct dem_energy_balance *const l = state->energy_balance;
+    const double total = report_all(state) - l->edited;
 
     if (l->edits)
     {

@@ -24,87 +24,87 @@
 #include <string.h>
 
 /* Work of gravity over the drift. */
-static void gravity_work(struct dem_state *p, double dt)
+static void gravity_work(struct dem_state *state, double dt)
 {
-    const double *const g = p->energy_balance->gravity;
+    const double *const g = state->energy_balance->gravity;
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
-        const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+        const struct dem_particle *const r = &state->particles.record[i];
+        const struct dem_clump *const b = dem_clump_of(&state->particles, i);
         const double mass = !b ? r->mass : dem_clump_counts(r) ? b->mass : 0.0;
 
-        dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY],
+        dem_energy_balance_add(&state->energy_balance->sum[DEM_ENERGY_BALANCE_GRAVITY],
                                mass*dem_vec_dot(g, b ? b->v : r->v)*dt);
     }
 }
 
 /* Work of what moves driven particles, against the contact forces of the last sweep over the time
    `span` [s], and against their weight over `fall` [s]. */
-static void driven_work(struct dem_state *p, double span, double fall)
+static void driven_work(struct dem_state *state, double span, double fall)
 {
-    const double *const force = dem_column(&p->particles, DEM_COLUMN_FORCE),
-                 *const torque = dem_column(&p->particles, DEM_COLUMN_TORQUE);
+    const double *const force = dem_column(&state->particles, DEM_COLUMN_FORCE),
+                 *const torque = dem_column(&state->particles, DEM_COLUMN_TORQUE);
 
-    for (size_t i = 0; i < p->particles.n && p->energy_balance->driven; i++)
+    for (size_t i = 0; i < state->particles.n && state->energy_balance->driven; i++)
     {
-        const struct dem_particle *const r = &p->particles.record[i];
+        const struct dem_particle *const r = &state->particles.record[i];
 
         if (r->flags & DEM_PARTICLE_DRIVEN)
         {
             const double power =
                 dem_vec_dot(force + 3*i, r->v) + dem_vec_dot(torque + 3*i, r->w);
-            const double weight = r->mass*dem_vec_dot(p->energy_balance->gravity, r->v);
+            const double weight = r->mass*dem_vec_dot(state->energy_balance->gravity, r->v);
 
-            dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_DRIVEN],
+            dem_energy_balance_add(&state->energy_balance->sum[DEM_ENERGY_BALANCE_DRIVEN],
                                    -power*span - weight*fall);
         }
     }
 }
 
-void dem_energy_balance_after_drift(struct dem_state *p, double dt)
+void dem_energy_balance_after_drift(struct dem_state *state, double dt)
 {
-    gravity_work(p, dt);
-    driven_work(p, 0.5*dt, dt);
-    dem_cell_add_work(p, 0.5*dt);
+    gravity_work(state, dt);
+    driven_work(state, 0.5*dt, dt);
+    dem_cell_add_work(state, 0.5*dt);
 }
 
-void dem_energy_balance_after_sweep(struct dem_state *p, double dt)
+void dem_energy_balance_after_sweep(struct dem_state *state, double dt)
 {
-    dem_cell_add_work(p, 0.5*dt);
-    driven_work(p, 0.5*dt, 0.0);
+    dem_cell_add_work(state, 0.5*dt);
+    driven_work(state, 0.5*dt, 0.0);
 }
 
 /* The velocity at the time of the position, with gravity alone: outside the domain there are rarely
    contacts. */
-void dem_energy_balance_particle_out(struct dem_state *p, const struct dem_particle *r, double late)
+void dem_energy_balance_particle_out(struct dem_state *state, const struct dem_particle *r, double late)
 {
-    const size_t i = (size_t)(r - p->particles.record);
-    const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+    const size_t i = (size_t)(r - state->particles.record);
+    const struct dem_clump *const b = dem_clump_of(&state->particles, i);
     const double inverse = b ? 1.0/b->mass : r->inverse_mass;
     struct dem_particle_share s;
     double v[3];
 
-    dem_particle_share(&p->particles, i, &s);
+    dem_particle_share(&state->particles, i, &s);
     for (int k = 0; k < 3; k++)
     {
-        v[k] = (b ? b->v : r->v)[k] + late*s.mass*inverse*p->energy_balance->gravity[k];
+        v[k] = (b ? b->v : r->v)[k] + late*s.mass*inverse*state->energy_balance->gravity[k];
     }
-    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_OUT],
+    dem_energy_balance_add(&state->energy_balance->sum[DEM_ENERGY_BALANCE_OUT],
                            0.5*s.mass*dem_vec_dot(v, v) + s.kinetic[1]);
-    dem_energy_balance_add_content(p, i, 1.0,
-                                   &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_OUT]);
+    dem_energy_balance_add_content(state, i, 1.0,
+                                   &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_OUT]);
 }
 
-void dem_energy_balance_particle_in(struct dem_state *p, const struct dem_particle *r)
+void dem_energy_balance_particle_in(struct dem_state *state, const struct dem_particle *r)
 {
-    const size_t i = (size_t)(r - p->particles.record);
+    const size_t i = (size_t)(r - state->particles.record);
     struct dem_particle_share s;
 
-    dem_particle_share(&p->particles, i, &s);
-    dem_energy_balance_add(&p->energy_balance->sum[DEM_ENERGY_BALANCE_IN], s.kinetic[0] + s.kinetic[1]);
-    dem_energy_balance_add_content(p, i, 1.0,
-                                   &p->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
+    dem_particle_share(&state->particles, i, &s);
+    dem_energy_balance_add(&state->energy_balance->sum[DEM_ENERGY_BALANCE_IN], s.kinetic[0] + s.kinetic[1]);
+    dem_energy_balance_add_content(state, i, 1.0,
+                                   &state->energy_balance->sum[DEM_ENERGY_BALANCE_HEAT_IN]);
 }
 
 /* ---- body forces ----------------------------------------------------------------------------- */
@@ -215,48 +215,48 @@ void dem_energy_balance_after_kick(struct dem_energy_balance *l, const struct de
 
 /* ---- heat ------------------------------------------------------------------------------------ */
 
-void dem_energy_balance_add_content(const struct dem_state *p, size_t particle, double sign,
+void dem_energy_balance_add_content(const struct dem_state *state, size_t particle, double sign,
                                     struct dem_sum *sum)
 {
-    const int k = p->energy_balance->heat;
+    const int k = state->energy_balance->heat;
 
     if (k >= 0)
     {
-        const struct dem_particle *const q = &p->particles.record[particle];
-        const double C = sign*dem_interaction_table_capacity(&p->interaction_table, k,
+        const struct dem_particle *const q = &state->particles.record[particle];
+        const double C = sign*dem_interaction_table_capacity(&state->interaction_table, k,
                                                              q->material, q->mass);
-        const double T = dem_scalar_values(&p->particles, k)[particle], content = C*T;
+        const double T = dem_scalar_values(&state->particles, k)[particle], content = C*T;
 
         dem_energy_balance_add(sum, content);
         dem_energy_balance_add(sum, fma(C, T, -content));
     }
 }
 
-void dem_energy_balance_begin_heat(struct dem_state *p)
+void dem_energy_balance_begin_heat(struct dem_state *state)
 {
-    struct dem_sum *const sum = p->energy_balance->sum;
+    struct dem_sum *const sum = state->energy_balance->sum;
 
     for (int k = DEM_ENERGY_BALANCE_CONTENT; k <= DEM_ENERGY_BALANCE_HEAT_IN; k++)
     {
         dem_sum_clear(&sum[k]);
     }
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        dem_energy_balance_add_content(p, i, -1.0, &sum[DEM_ENERGY_BALANCE_CONTENT]);
+        dem_energy_balance_add_content(state, i, -1.0, &sum[DEM_ENERGY_BALANCE_CONTENT]);
     }
 }
 
-void dem_energy_balance_contact_heat(struct dem_state *p, const struct dem_contact_batch *b,
+void dem_energy_balance_contact_heat(struct dem_state *state, const struct dem_contact_batch *b,
                                      const struct dem_energy_balance_rows *r, const double *rate)
 {
-    struct dem_sum *const sum = p->energy_balance->sum;
+    struct dem_sum *const sum = state->energy_balance->sum;
     const int heats = (r->list->needs & DEM_NEEDS_DISSIPATION) != 0;
 
-    for (int c = 0; c < r->rows && p->energy_balance->begun; c++)
+    for (int c = 0; c < r->rows && state->energy_balance->begun; c++)
     {
         const double heat = heats ? b->dissipated[c] : 0.0;
 
-        if (dem_contacts_pair(&p->contacts, r->row + (uint32_t)c)->i < p->particles.n)
+        if (dem_contacts_pair(&state->contacts, r->row + (uint32_t)c)->i < state->particles.n)
         {
             dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_HEATED], heat);
             if (r->list->pair.with_wall)

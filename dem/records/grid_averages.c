@@ -116,14 +116,14 @@ void dem_grid_averages_free(struct dem_grid_averages *a)
 
 /* ---- one sample ------------------------------------------------------------------------------ */
 
-static void particle_values(const struct dem_grid_columns *s, const struct dem_state *p,
+static void particle_values(const struct dem_grid_columns *s, const struct dem_state *state,
                             size_t particle, double *out)
 {
-    const struct dem_particle *const q = &p->particles.record[particle];
-    const struct dem_clump *const b = dem_clump_of(&p->particles, particle);
+    const struct dem_particle *const q = &state->particles.record[particle];
+    const struct dem_clump *const b = dem_clump_of(&state->particles, particle);
     const double *const v = b ? b->v : q->v;
 
-    out[VOLUME] = dem_totals_volume(p, q);
+    out[VOLUME] = dem_totals_volume(state, q);
     out[MASS] = q->mass;
     for (int k = 0; k < 3; k++)
     {
@@ -135,30 +135,30 @@ static void particle_values(const struct dem_grid_columns *s, const struct dem_s
 }
 
 /* The weight is the capacity, else 1 for an amount, else the mass. */
-static void scalar_values(const struct dem_grid_columns *s, const struct dem_state *p,
+static void scalar_values(const struct dem_grid_columns *s, const struct dem_state *state,
                           size_t particle, double *out)
 {
-    const struct dem_interaction_table *const r = &p->interaction_table;
-    const struct dem_particle *const q = &p->particles.record[particle];
+    const struct dem_interaction_table *const r = &state->interaction_table;
+    const struct dem_particle *const q = &state->particles.record[particle];
     const struct dem_scalar *const row = r->scalar[s->scalar];
 
     out[WEIGHT] = row->capacity
                       ? dem_interaction_table_capacity(r, s->scalar, q->material, q->mass)
                   : row->flags & DEM_SCALAR_AMOUNT ? 1.0
                                                    : q->mass;
-    out[WEIGHTED] = out[WEIGHT]*dem_scalar_values(&p->particles, s->scalar)[particle];
+    out[WEIGHTED] = out[WEIGHT]*dem_scalar_values(&state->particles, s->scalar)[particle];
 }
 
 /* Collective; a rank without memory takes part without particles. */
-static int sample(struct dem_grid_average *g, const struct dem_state *p, int status)
+static int sample(struct dem_grid_average *g, const struct dem_state *state, int status)
 {
-    const int short_of_memory = DEM_GROW(g->virial, g->virial_capacity, 6*(p->particles.n + 1));
-    const size_t n = short_of_memory ? 0 : p->particles.n;
+    const int short_of_memory = DEM_GROW(g->virial, g->virial_capacity, 6*(state->particles.n + 1));
+    const size_t n = short_of_memory ? 0 : state->particles.n;
 
     status = status ? status : short_of_memory;
     if (!short_of_memory)
     {
-        dem_virial_sum(p, g->virial);
+        dem_virial_sum(state, g->virial);
     }
     const struct dem_grid_columns mechanics = {.columns = COLUMNS,
                                                .kinds = KINDS,
@@ -168,7 +168,7 @@ static int sample(struct dem_grid_average *g, const struct dem_state *p, int sta
                                                .virial = g->virial,
                                                .values = particle_values};
 
-    status = dem_grid_sums_sample(&g->sums, &g->entry, &mechanics, p, n, status);
+    status = dem_grid_sums_sample(&g->sums, &g->entry, &mechanics, state, n, status);
     for (int k = 0; k < g->scalars; k++)
     {
         const struct dem_grid_columns scalar = {.columns = SCALAR_COLUMNS,
@@ -179,7 +179,7 @@ static int sample(struct dem_grid_average *g, const struct dem_state *p, int sta
                                                 .scalar = g->scalar[k].index,
                                                 .values = scalar_values};
 
-        status = dem_grid_sums_sample(&g->scalar[k].sums, &g->entry, &scalar, p, n, status);
+        status = dem_grid_sums_sample(&g->scalar[k].sums, &g->entry, &scalar, state, n, status);
     }
     return status;
 }
@@ -202,16 +202,16 @@ int dem_grid_averages_due(const struct dem_grid_averages *a, double time)
     return due;
 }
 
-int dem_grid_averages_sample(struct dem_grid_averages *a, const struct dem_state *p, int status)
+int dem_grid_averages_sample(struct dem_grid_averages *a, const struct dem_state *state, int status)
 {
     for (int k = 0; k < a->grids; k++)
     {
         struct dem_grid_average *const g = &a->grid[k];
 
-        if (is_due(g, p->time))
+        if (is_due(g, state->time))
         {
-            status = sample(g, p, status);
-            g->next = number_after(&g->entry, p->time);
+            status = sample(g, state, status);
+            g->next = number_after(&g->entry, state->time);
         }
     }
     return status;
@@ -324,14 +324,14 @@ static int save(const struct dem_grid_average *g, const struct dem_interaction_t
     return status;
 }
 
-int dem_grid_averages_write(const struct dem_grid_averages *a, const struct dem_state *p,
+int dem_grid_averages_write(const struct dem_grid_averages *a, const struct dem_state *state,
                             const char *folder)
 {
-    for (int k = 0; k < a->grids && p->decomposition.rank == 0; k++)
+    for (int k = 0; k < a->grids && state->decomposition.rank == 0; k++)
     {
         if (a->grid[k].sums.blocks.samples > 0)
         {
-            DEM_TRY(save(&a->grid[k], &p->interaction_table, folder));
+            DEM_TRY(save(&a->grid[k], &state->interaction_table, folder));
         }
     }
     return DEM_OK;

@@ -99,15 +99,15 @@ static double slab_fraction(const struct slab *s, int cell)
 
 /* DEM_ERROR_NUMBER with the first particle of this rank that has a contribution above the limit. */
 static int refuse_contribution(const struct dem_averages_entry *a, const struct dem_grid_columns *s,
-                               const struct dem_state *p)
+                               const struct dem_state *state)
 {
     double out[DEM_GRID_COLUMNS];
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        const struct dem_particle *const q = &p->particles.record[i];
+        const struct dem_particle *const q = &state->particles.record[i];
 
-        s->values(s, p, i, out);
+        s->values(s, state, i, out);
         for (int c = 0; c < s->columns; c++)
         {
             DEM_REQUIRE(
@@ -116,7 +116,7 @@ static int refuse_contribution(const struct dem_averages_entry *a, const struct 
                 "limit is %g; look at the forces on it, or use a smaller time/step",
                 a->name, (long long)q->id, q->x[0], q->x[1], q->x[2], q->v[0], q->v[1],
                 q->v[2], s->kind_name[s->kind_of[c]], out[c], s->kind_unit[s->kind_of[c]],
-                (long long)p->steps, max_contribution);
+                (long long)state->steps, max_contribution);
         }
     }
     return DEM_OK;
@@ -140,7 +140,7 @@ static int bits_of_images(const struct dem_averages_entry *a, const struct dem_d
 /* Collective. Binary exponent by which each kind of number is scaled. Computed from maxima and
    an integer count, hence equal on all ranks. Returns 0 when a contribution is too large. n: particles of this rank. */
 static int scales(const struct dem_averages_entry *a, const struct dem_grid_columns *s,
-                  const struct dem_state *p, size_t n, int scale[DEM_GRID_KINDS])
+                  const struct dem_state *state, size_t n, int scale[DEM_GRID_KINDS])
 {
     double largest[DEM_GRID_KINDS] = {0.0}, out[DEM_GRID_COLUMNS];
     int64_t count = (int64_t)n;
@@ -148,7 +148,7 @@ static int scales(const struct dem_averages_entry *a, const struct dem_grid_colu
 
     for (size_t i = 0; i < n; i++)
     {
-        s->values(s, p, i, out);
+        s->values(s, state, i, out);
         for (int c = 0; c < s->columns; c++)
         {
             double *const max = &largest[s->kind_of[c]];
@@ -156,8 +156,8 @@ static int scales(const struct dem_averages_entry *a, const struct dem_grid_colu
             *max = islessequal(fabs(out[c]), *max) ? *max : isnan(out[c]) ? INFINITY : fabs(out[c]);
         }
     }
-    dem_collect_max_double(&p->decomposition, largest, (size_t)s->kinds);
-    dem_collect_sum_int64(&p->decomposition, &count, 1);
+    dem_collect_max_double(&state->decomposition, largest, (size_t)s->kinds);
+    dem_collect_sum_int64(&state->decomposition, &count, 1);
     while (count >> bits)
     {
         bits++;
@@ -168,7 +168,7 @@ static int scales(const struct dem_averages_entry *a, const struct dem_grid_colu
 
         good = good && largest[k] < max_contribution;
         frexp(good ? largest[k] : 0.0, &exponent);
-        scale[k] = MAX_BITS - bits - bits_of_images(a, &p->domain) - exponent;
+        scale[k] = MAX_BITS - bits - bits_of_images(a, &state->domain) - exponent;
     }
     return good;
 }
@@ -210,17 +210,17 @@ static void deposit(struct dem_grid_sums *g, const struct dem_averages_entry *a,
 
 /* Every particle at its position and at its periodic images, which may overlap the grid too. */
 static void deposit_all(struct dem_grid_sums *g, const struct dem_averages_entry *entry,
-                        const struct dem_grid_columns *s, const struct dem_state *p, size_t n,
+                        const struct dem_grid_columns *s, const struct dem_state *state, size_t n,
                         const int scale[DEM_GRID_KINDS])
 {
-    const int *const periodic = p->domain.periodic;
+    const int *const periodic = state->domain.periodic;
     double out[DEM_GRID_COLUMNS];
 
     for (size_t i = 0; i < n; i++)
     {
-        const struct dem_particle *const q = &p->particles.record[i];
+        const struct dem_particle *const q = &state->particles.record[i];
 
-        s->values(s, p, i, out);
+        s->values(s, state, i, out);
         for (int c = 0; c < s->columns; c++)
         {
             out[c] = ldexp(out[c], scale[s->kind_of[c]]);
@@ -231,9 +231,9 @@ static void deposit_all(struct dem_grid_sums *g, const struct dem_averages_entry
             {
                 for (int c = -periodic[2]; c <= periodic[2]; c++)
                 {
-                    const double x[3] = {q->x[0] + a*p->domain.length[0],
-                                         q->x[1] + b*p->domain.length[1],
-                                         q->x[2] + c*p->domain.length[2]};
+                    const double x[3] = {q->x[0] + a*state->domain.length[0],
+                                         q->x[1] + b*state->domain.length[1],
+                                         q->x[2] + c*state->domain.length[2]};
 
                     deposit(g, entry, x, q->radius, out);
                 }
@@ -243,24 +243,24 @@ static void deposit_all(struct dem_grid_sums *g, const struct dem_averages_entry
 }
 
 int dem_grid_sums_sample(struct dem_grid_sums *g, const struct dem_averages_entry *entry,
-                         const struct dem_grid_columns *s, const struct dem_state *p, size_t n,
+                         const struct dem_grid_columns *s, const struct dem_state *state, size_t n,
                          int status)
 {
     const size_t numbers = (size_t)g->columns*dem_averages_cells(entry);
     int scale[DEM_GRID_KINDS];
 
-    if (!scales(entry, s, p, n, scale))                              /* the same on all ranks */
+    if (!scales(entry, s, state, n, scale))                              /* the same on all ranks */
     {
-        return status ? status : refuse_contribution(entry, s, p);
+        return status ? status : refuse_contribution(entry, s, state);
     }
     memset(g->sum, 0, numbers*sizeof *g->sum);
-    deposit_all(g, entry, s, p, n, scale);
-    dem_collect_sum_int64_to_first(&p->decomposition, g->sum, numbers);
-    for (size_t k = 0; k < numbers && p->decomposition.rank == 0; k++)
+    deposit_all(g, entry, s, state, n, scale);
+    dem_collect_sum_int64_to_first(&state->decomposition, g->sum, numbers);
+    for (size_t k = 0; k < numbers && state->decomposition.rank == 0; k++)
     {
         g->sample[k] = ldexp((double)g->sum[k], -scale[s->kind_of[k%(size_t)g->columns]]);
     }
-    if (p->decomposition.rank == 0)
+    if (state->decomposition.rank == 0)
     {
         dem_block_means_add(&g->blocks, g->sample, 1.0);
     }

@@ -30,9 +30,9 @@ static void append(char cause[DEM_LOST_CAUSE_SIZE], const char *format, ...)
     va_end(rest);
 }
 
-static const char *wall_name(const struct dem_state *p, const struct dem_pair *q)
+static const char *wall_name(const struct dem_state *state, const struct dem_pair *q)
 {
-    return p->walls.wall[p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall].name;
+    return state->walls.wall[state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall].name;
 }
 
 /* ---- where ----------------------------------------------------------------------------------- */
@@ -63,9 +63,9 @@ static void append_side(const struct dem_domain *d, const struct dem_particle *i
 }
 
 /* The wall that the particle is farthest behind, or the nearest one in its list. */
-static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST_CAUSE_SIZE])
+static void append_wall(const struct dem_state *state, size_t i, char cause[DEM_LOST_CAUSE_SIZE])
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contacts *const c = &state->contacts;
     const struct dem_pair *nearest = NULL;
     double min = DBL_MAX;
 
@@ -75,9 +75,9 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
 
         if (q->wall)
         {
-            const double distance = dem_wall_search_distance(&p->pairs.wall_search, &p->walls,
-                                                             &p->pairs.wall_search.neighbor[q->j],
-                                                             p->particles.record[i].x);
+            const double distance = dem_wall_search_distance(&state->pairs.wall_search, &state->walls,
+                                                             &state->pairs.wall_search.neighbor[q->j],
+                                                             state->particles.record[i].x);
 
             nearest = distance < min ? q : nearest;
             min = fmin(min, distance);
@@ -90,7 +90,7 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
     else
     {
         append(cause, min < 0.0 ? ", %.3g m behind wall %s" : ", its centre %.3g m from wall %s",
-               fabs(min), wall_name(p, nearest));
+               fabs(min), wall_name(state, nearest));
     }
 }
 
@@ -98,30 +98,30 @@ static void append_wall(const struct dem_state *p, size_t i, char cause[DEM_LOST
 
 /* Overlap of a row's partners [m]: at a wall as in the last sweep, at a pair at the present
    positions. */
-static double overlap_of(const struct dem_state *p, uint32_t r)
+static double overlap_of(const struct dem_state *state, uint32_t r)
 {
-    const struct dem_pair *const q = dem_contacts_pair(&p->contacts, r);
+    const struct dem_pair *const q = dem_contacts_pair(&state->contacts, r);
 
     if (q->wall)
     {
-        return dem_contacts_wall_force(&p->contacts, r)->arm;
+        return dem_contacts_wall_force(&state->contacts, r)->arm;
     }
-    const struct dem_particle *const i = &p->particles.record[q->i];
-    const struct dem_particle *const j = &p->particles.record[q->j];
+    const struct dem_particle *const i = &state->particles.record[q->i];
+    const struct dem_particle *const j = &state->particles.record[q->j];
     double apart[3];
 
     for (int k = 0; k < 3; k++)
     {
-        apart[k] = i->x[k] - j->x[k] + p->pairs.shift[q->shift][k];
+        apart[k] = i->x[k] - j->x[k] + state->pairs.shift[q->shift][k];
     }
     return i->radius + j->radius - dem_vec_norm(apart);
 }
 
 /* The row of particle i with the largest overlap, other than `row`; DEM_ROW_NONE when all are below
    min_overlap. `overlap`: as a fraction of the smaller diameter. */
-static uint32_t worst_row(const struct dem_state *p, size_t i, uint32_t row, double *overlap)
+static uint32_t worst_row(const struct dem_state *state, size_t i, uint32_t row, double *overlap)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contacts *const c = &state->contacts;
     uint32_t worst = DEM_ROW_NONE;
 
     *overlap = min_overlap;
@@ -135,9 +135,9 @@ static uint32_t worst_row(const struct dem_state *p, size_t i, uint32_t row, dou
             continue;
         }
         const struct dem_pair *const q = dem_contacts_pair(c, r);
-        const double radius = p->particles.record[q->i].radius;
-        const double smaller = q->wall ? radius : fmin(radius, p->particles.record[q->j].radius);
-        const double fraction = 0.5*overlap_of(p, r)/smaller;
+        const double radius = state->particles.record[q->i].radius;
+        const double smaller = q->wall ? radius : fmin(radius, state->particles.record[q->j].radius);
+        const double fraction = 0.5*overlap_of(state, r)/smaller;
 
         if (r != row && fraction > *overlap)
         {
@@ -149,11 +149,11 @@ static uint32_t worst_row(const struct dem_state *p, size_t i, uint32_t row, dou
 }
 
 /* Returns 1 when a reason was found. */
-static int append_reason(const struct dem_state *p, size_t i, uint32_t row,
+static int append_reason(const struct dem_state *state, size_t i, uint32_t row,
                          char cause[DEM_LOST_CAUSE_SIZE])
 {
-    const struct dem_particle *const q = &p->particles.record[i];
-    const double radii = dem_vec_norm(q->v)*p->dt/q->radius;
+    const struct dem_particle *const q = &state->particles.record[i];
+    const double radii = dem_vec_norm(q->v)*state->dt/q->radius;
     double overlap;
 
     if (radii > 0.5)
@@ -161,21 +161,21 @@ static int append_reason(const struct dem_state *p, size_t i, uint32_t row,
         append(cause, ": it moves %.2g radii a step; reduce time/step", radii);
         return 1;
     }
-    const uint32_t worst = worst_row(p, i, row, &overlap);
+    const uint32_t worst = worst_row(state, i, row, &overlap);
 
     if (worst != DEM_ROW_NONE)
     {
-        const struct dem_pair *const pair = dem_contacts_pair(&p->contacts, worst);
+        const struct dem_pair *const pair = dem_contacts_pair(&state->contacts, worst);
 
         if (pair->wall)
         {
             append(cause, ": squeezed, overlap %.3g %% with wall %s", 100.0*overlap,
-                   wall_name(p, pair));
+                   wall_name(state, pair));
         }
         else
         {
             append(cause, ": squeezed, overlap %.3g %% with particle %lld", 100.0*overlap,
-                (long long)p->particles.record[pair->i == i ? pair->j : pair->i].id);
+                (long long)state->particles.record[pair->i == i ? pair->j : pair->i].id);
         }
         append(cause, "; use a stiffer material or a smaller time/step");
         return 1;
@@ -183,14 +183,14 @@ static int append_reason(const struct dem_state *p, size_t i, uint32_t row,
     return 0;
 }
 
-void dem_lost_cause_outside(const struct dem_state *p, size_t i, char cause[DEM_LOST_CAUSE_SIZE])
+void dem_lost_cause_outside(const struct dem_state *state, size_t i, char cause[DEM_LOST_CAUSE_SIZE])
 {
     cause[0] = 0;
-    append_side(&p->domain, &p->particles.record[i], cause);
-    if (p->neighbor_lists != DEM_LISTS_NONE)
+    append_side(&state->domain, &state->particles.record[i], cause);
+    if (state->neighbor_lists != DEM_LISTS_NONE)
     {
-        append_wall(p, i, cause);
-        append_reason(p, i, DEM_ROW_NONE, cause);
+        append_wall(state, i, cause);
+        append_reason(state, i, DEM_ROW_NONE, cause);
     }
 }
 
@@ -198,28 +198,28 @@ void dem_lost_cause_outside(const struct dem_state *p, size_t i, char cause[DEM_
    diameter then: where maxOverlap is not larger, the run ends, as at a wall with one side. */
 static const double overlap_of_passage = 0.5*(1.0 + 0x1p-20);
 
-int dem_lost_cause_record_crossings(struct dem_state *p)
+int dem_lost_cause_record_crossings(struct dem_state *state)
 {
     const struct dem_pair *lawless = NULL, *first = NULL;
     char reason[DEM_LOST_CAUSE_SIZE] = "";
     int status = DEM_OK;
 
-    for (size_t k = 0; k < p->lost_particles->crossings && !status; k++)
+    for (size_t k = 0; k < state->lost_particles->crossings && !status; k++)
     {
-        const uint32_t row = p->lost_particles->crossed[k];
-        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, row);
-        const struct dem_particle *const i = &p->particles.record[q->i];
+        const uint32_t row = state->lost_particles->crossed[k];
+        const struct dem_pair *const q = dem_contacts_pair(&state->contacts, row);
+        const struct dem_particle *const i = &state->particles.record[q->i];
         char cause[DEM_LOST_CAUSE_SIZE] = "";
 
-        append(cause, "passed wall %s at %.3g m/s", wall_name(p, q), dem_vec_norm(i->v));
+        append(cause, "passed wall %s at %.3g m/s", wall_name(state, q), dem_vec_norm(i->v));
         const size_t length = strlen(cause);
 
-        if (!dem_effect_list_has_law(&p->interaction_table.list[q->class]))
+        if (!dem_effect_list_has_law(&state->interaction_table.list[q->class]))
         {
             append(cause, ": no contact law acts between them");
             lawless = q;
         }
-        else if (!append_reason(p, q->i, row, cause))
+        else if (!append_reason(state, q->i, row, cause))
         {
             append(
                 cause,
@@ -230,19 +230,20 @@ int dem_lost_cause_record_crossings(struct dem_state *p)
             first = q;
             snprintf(reason, sizeof reason, "%s", cause + length);
         }
-        status = dem_lost_particles_add(p->lost_particles, i, p->time, 0, cause);
+        status = dem_lost_particles_add(state->lost_particles, i, state->time, 0, cause);
     }
-    p->lost_particles->passages += (int64_t)p->lost_particles->crossings;
-    p->lost_particles->crossings = 0;
+    state->lost_particles->passages += (int64_t)state->lost_particles->crossings;
+    state->lost_particles->crossings = 0;
     DEM_REQUIRE(
         status || !lawless, DEM_ERROR_LOST,
         "particle %lld has passed wall %s at time %g s: no contact law acts between them; add a normal law to effects, hertz {} "
         "for example",
-        (long long)p->particles.record[lawless->i].id, wall_name(p, lawless), p->time);
+        (long long)state->particles.record[lawless->i].id, wall_name(state, lawless), state->time);
     DEM_REQUIRE(
-        status || !first || p->limits.overlap_limit > overlap_of_passage, DEM_ERROR_LOST,
+        status || !first || state->limits.overlap_limit > overlap_of_passage, DEM_ERROR_LOST,
         "particle %lld has passed wall %s at time %g s, with an overlap of half of a diameter; the limit time/maxOverlap is "
         "%g%s",
-        (long long)p->particles.record[first->i].id, wall_name(p, first), p->time, p->limits.overlap_limit, reason);
+        (long long)state->particles.record[first->i].id, wall_name(state, first), state->time,
+        state->limits.overlap_limit, reason);
     return status;
 }

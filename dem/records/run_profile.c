@@ -21,11 +21,11 @@ enum
 _Static_assert((int)DEM_PHASES == (int)DEM_PROFILE_PHASES, "dem.h reports all phases");
 
 /* Mean and largest time over the ranks, of each phase, of work and of the processor. */
-static void gather_times(const struct dem_state *p, double mean[SECONDS], double max[SECONDS])
+static void gather_times(const struct dem_state *state, double mean[SECONDS], double max[SECONDS])
 {
-    dem_timers_end_outside(p->timers);
-    dem_timers_seconds(p->timers, mean);
-    mean[PROCESSOR] = dem_clock_processor() - p->timers->first_processor;
+    dem_timers_end_outside(state->timers);
+    dem_timers_seconds(state->timers, mean);
+    mean[PROCESSOR] = dem_clock_processor() - state->timers->first_processor;
     mean[WORK] = 0.0;
     for (int k = 0; k < DEM_PHASE_OUTSIDE; k++)
     {
@@ -35,23 +35,23 @@ static void gather_times(const struct dem_state *p, double mean[SECONDS], double
     {
         max[k] = mean[k];
     }
-    dem_collect_max_double(&p->decomposition, max, SECONDS);
-    dem_collect_sum_double(&p->decomposition, mean, SECONDS);
+    dem_collect_max_double(&state->decomposition, max, SECONDS);
+    dem_collect_sum_double(&state->decomposition, mean, SECONDS);
     for (int k = 0; k < SECONDS; k++)
     {
-        mean[k] /= p->decomposition.ranks;
+        mean[k] /= state->decomposition.ranks;
     }
 }
 
-static void gather_counts(const struct dem_state *p, struct dem_profile *f)
+static void gather_counts(const struct dem_state *state, struct dem_profile *f)
 {
-    const struct dem_traffic *const refreshed = &p->halo.refresh_traffic;
-    const struct dem_traffic *const exchanged = &p->halo.in.sent;
-    int64_t count[8] = {(int64_t)p->particles.n, dem_totals_touching(p), p->timers->particle_steps,
-                        p->timers->row_steps,    refreshed->messages, refreshed->bytes,
+    const struct dem_traffic *const refreshed = &state->halo.refresh_traffic;
+    const struct dem_traffic *const exchanged = &state->halo.in.sent;
+    int64_t count[8] = {(int64_t)state->particles.n, dem_totals_touching(state), state->timers->particle_steps,
+                        state->timers->row_steps,    refreshed->messages, refreshed->bytes,
                         exchanged->messages, exchanged->bytes};
 
-    dem_collect_sum_int64(&p->decomposition, count, 8);
+    dem_collect_sum_int64(&state->decomposition, count, 8);
     f->particles = count[0];
     f->contacts = count[1];
     f->particle_steps = count[2];
@@ -62,26 +62,26 @@ static void gather_counts(const struct dem_state *p, struct dem_profile *f)
     f->rebuild_message_bytes = count[7];
 }
 
-void dem_profile_take(struct dem_state *p, struct dem_profile *f)
+void dem_profile_take(struct dem_state *state, struct dem_profile *f)
 {
     double mean[SECONDS], max[SECONDS];
     struct dem_inventory inventory;
 
-    gather_times(p, mean, max);
-    dem_inventory_take(p, &inventory);
-    *f = (struct dem_profile){.ranks = p->decomposition.ranks,
+    gather_times(state, mean, max);
+    dem_inventory_take(state, &inventory);
+    *f = (struct dem_profile){.ranks = state->decomposition.ranks,
                               .outside = mean[DEM_PHASE_OUTSIDE],
                               .imbalance = mean[WORK] > 0.0 ? max[WORK]/mean[WORK] : 1.0,
-                              .steps = p->timers->steps,
-                              .rebuilds = p->rebuilds - p->timers->rebuilds,
-                              .prunes = p->prunes - p->timers->prunes,
-                              .outer_skin = 2.0*p->pairs.half_outer,
-                              .inner_skin = 2.0*p->pairs.half_inner,
-                              .diameter = 2.0*p->pairs.max_radius,
+                              .steps = state->timers->steps,
+                              .rebuilds = state->rebuilds - state->timers->rebuilds,
+                              .prunes = state->prunes - state->timers->prunes,
+                              .outer_skin = 2.0*state->pairs.half_outer,
+                              .inner_skin = 2.0*state->pairs.half_inner,
+                              .diameter = 2.0*state->pairs.max_radius,
                               .bytes = inventory.bytes,
-                              .processor = mean[PROCESSOR]*p->decomposition.ranks,
-                             .agreements = p->agreements - p->timers->agreements,
-                              .cuts = p->load_balance.cuts};
+                              .processor = mean[PROCESSOR]*state->decomposition.ranks,
+                             .agreements = state->agreements - state->timers->agreements,
+                              .cuts = state->load_balance.cuts};
     for (int k = 0; k < DEM_PHASES; k++)
     {
         f->phase[k].name = dem_phase_name((enum dem_phase)k);
@@ -89,7 +89,7 @@ void dem_profile_take(struct dem_state *p, struct dem_profile *f)
         f->phase[k].max = max[k];
         f->wall += mean[k];
     }
-    gather_counts(p, f);
-    f->largest_overlap = fmax(p->limits.largest_overlap, p->limits.overlap);
-    dem_totals_reduce_max(p, &f->largest_overlap, 1);
+    gather_counts(state, f);
+    f->largest_overlap = fmax(state->limits.largest_overlap, state->limits.overlap);
+    dem_totals_reduce_max(state, &f->largest_overlap, 1);
 }

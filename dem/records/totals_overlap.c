@@ -12,36 +12,36 @@
 #include <string.h>
 
 /* 1 when a partner has one of these flags. */
-static int has_flags(const struct dem_state *p, const struct dem_pair *q, unsigned flags)
+static int has_flags(const struct dem_state *state, const struct dem_pair *q, unsigned flags)
 {
-    return (p->particles.record[q->i].flags & flags)
-        || (!q->wall && (p->particles.record[q->j].flags & flags));
+    return (state->particles.record[q->i].flags & flags)
+        || (!q->wall && (state->particles.record[q->j].flags & flags));
 }
 
-void dem_totals_max_overlap(struct dem_state *p, unsigned flags, struct dem_overlap *pair,
+void dem_totals_max_overlap(struct dem_state *state, unsigned flags, struct dem_overlap *pair,
                             struct dem_overlap *wall)
 {
     *pair = *wall = (struct dem_overlap){.fraction = 0.0};
-    dem_wall_touches_update(&p->touches, &p->pairs.wall_search, &p->walls, &p->particles);
-    for (uint32_t r = 0; r < p->contacts.rows.n; r++)
+    dem_wall_touches_update(&state->touches, &state->pairs.wall_search, &state->walls, &state->particles);
+    for (uint32_t r = 0; r < state->contacts.rows.n; r++)
     {
-        const struct dem_pair *const any = p->contacts.rows.pair[r] == DEM_ROW_NONE
+        const struct dem_pair *const any = state->contacts.rows.pair[r] == DEM_ROW_NONE
                                                ? NULL
-                                               : dem_contacts_pair(&p->contacts, r);
-        const struct dem_pair *const q = any && (!flags || has_flags(p, any, flags)) ? any : NULL;
-        const struct dem_particle *const a = q ? &p->particles.record[q->i] : NULL;
+                                               : dem_contacts_pair(&state->contacts, r);
+        const struct dem_pair *const q = any && (!flags || has_flags(state, any, flags)) ? any : NULL;
+        const struct dem_particle *const a = q ? &state->particles.record[q->i] : NULL;
         struct dem_overlap *const worst = q && q->wall ? wall : pair;
         double overlap = 0.0, radius = 1.0;
 
         if (q && q->wall)
         {
-            overlap = a->radius - p->touches.touch[q->j].distance;
+            overlap = a->radius - state->touches.touch[q->j].distance;
             radius = a->radius;
         }
         else if (q)
         {
-            const struct dem_particle *const b = &p->particles.record[q->j];
-            const double *const s = p->pairs.shift[q->shift];
+            const struct dem_particle *const b = &state->particles.record[q->j];
+            const double *const s = state->pairs.shift[q->shift];
             const double d[3] = {a->x[0] - b->x[0] + s[0], a->x[1] - b->x[1] + s[1],
                                  a->x[2] - b->x[2] + s[2]};
 
@@ -52,8 +52,8 @@ void dem_totals_max_overlap(struct dem_state *p, unsigned flags, struct dem_over
         {
             worst->fraction = 0.5*overlap/radius;
             worst->id = a->id;
-            worst->partner = q->wall ? p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall
-                                     : p->particles.record[q->j].id;
+            worst->partner = q->wall ? state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall
+                                     : state->particles.record[q->j].id;
             memcpy(worst->x, a->x, sizeof a->x);
         }
     }
@@ -81,10 +81,10 @@ static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap 
     return DEM_OK;
 }
 
-int dem_totals_max_overlap_over_ranks(struct dem_state *p, struct dem_overlap *pair,
+int dem_totals_max_overlap_over_ranks(struct dem_state *state, struct dem_overlap *pair,
                                       struct dem_overlap *wall)
 {
-    dem_totals_max_overlap(p, 0, pair, wall);
-    DEM_TRY(max_over_ranks(&p->decomposition, pair));
-    return max_over_ranks(&p->decomposition, wall);
+    dem_totals_max_overlap(state, 0, pair, wall);
+    DEM_TRY(max_over_ranks(&state->decomposition, pair));
+    return max_over_ranks(&state->decomposition, wall);
 }

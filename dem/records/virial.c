@@ -9,20 +9,20 @@
 #include <string.h>
 
 /* Unit vector from the partner or the wall to particle i of the row. */
-static void direction(const struct dem_state *p, const struct dem_pair *q, double n[3])
+static void direction(const struct dem_state *state, const struct dem_pair *q, double n[3])
 {
-    const struct dem_particle *const i = &p->particles.record[q->i];
+    const struct dem_particle *const i = &state->particles.record[q->i];
 
     if (q->wall)
     {
-        memcpy(n, p->touches.touch[q->j].normal, 3*sizeof *n);
+        memcpy(n, state->touches.touch[q->j].normal, 3*sizeof *n);
         return;
     }
-    const struct dem_particle *const j = &p->particles.record[q->j];
+    const struct dem_particle *const j = &state->particles.record[q->j];
 
     for (int k = 0; k < 3; k++)
     {
-        n[k] = i->x[k] - j->x[k] + p->pairs.shift[q->shift][k];
+        n[k] = i->x[k] - j->x[k] + state->pairs.shift[q->shift][k];
     }
     const double length = dem_vec_norm(n);
 
@@ -45,10 +45,10 @@ static void add_product(double factor, const double f[3], const double r[3], dou
 }
 
 /* On i the force f acts at -lever n, on j the force -f at +lever n: both give -lever f n. */
-static void add_row(const struct dem_state *p, uint32_t row, double radius, double w[6])
+static void add_row(const struct dem_state *state, uint32_t row, double radius, double w[6])
 {
     const struct dem_contact_force *const contact =
-        dem_contact_forces_of_row(&p->contacts.forces, row);
+        dem_contact_forces_of_row(&state->contacts.forces, row);
     const double lever = radius - contact->arm, *const f = contact->f;
     double n[3];
 
@@ -56,7 +56,7 @@ static void add_row(const struct dem_state *p, uint32_t row, double radius, doub
     {
         return;
     }
-    direction(p, dem_contacts_pair(&p->contacts, row), n);
+    direction(state, dem_contacts_pair(&state->contacts, row), n);
     add_product(-lever, f, n, w);
 }
 
@@ -69,11 +69,11 @@ static void add_arm(const struct dem_clump *b, const double f[3], double w[6])
     add_product(1.0, f, arm, w);
 }
 
-void dem_virial_sum(const struct dem_state *p, double *virial)
+void dem_virial_sum(const struct dem_state *state, double *virial)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contacts *const c = &state->contacts;
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
         double *const w = virial + 6*i;
 
@@ -84,14 +84,14 @@ void dem_virial_sum(const struct dem_state *p, double *virial)
 
             if (row < c->rows.n)
             {
-                add_row(p, row, p->particles.record[i].radius, w);
+                add_row(state, row, state->particles.record[i].radius, w);
             }
         }
-        const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+        const struct dem_clump *const b = dem_clump_of(&state->particles, i);
 
         if (b)
         {
-            add_arm(b, dem_column(&p->particles, DEM_COLUMN_FORCE) + 3*i, w);
+            add_arm(b, dem_column(&state->particles, DEM_COLUMN_FORCE) + 3*i, w);
         }
     }
 }

@@ -37,10 +37,10 @@ int dem_wall_statistics_begin(struct dem_wall_statistics *b, int walls)
 /* The force of a row on its wall and its moment about the origin, times `factor`. The contact point is
    taken inside the periodic box, so that the moment does not depend on when a particle is wrapped.
    Returns 0 for a row without force, as most rows near a wall. */
-static int load_of_row(const struct dem_state *p, uint32_t r, double factor, double load[6])
+static int load_of_row(const struct dem_state *state, uint32_t r, double factor, double load[6])
 {
-    const double *const on_particle = dem_contacts_wall_force(&p->contacts, r)->f;
-    const double *const point = p->touches.touch[dem_contacts_pair(&p->contacts, r)->j].point;
+    const double *const on_particle = dem_contacts_wall_force(&state->contacts, r)->f;
+    const double *const point = state->touches.touch[dem_contacts_pair(&state->contacts, r)->j].point;
     double at[3];
 
     if (on_particle[0] == 0.0 && on_particle[1] == 0.0 && on_particle[2] == 0.0)
@@ -50,17 +50,17 @@ static int load_of_row(const struct dem_state *p, uint32_t r, double factor, dou
     for (int k = 0; k < 3; k++)
     {
         load[k] = -factor*on_particle[k];
-        at[k] = dem_periodic_place(point[k], p->domain.min[k], p->domain.length[k]);
+        at[k] = dem_periodic_place(point[k], state->domain.min[k], state->domain.length[k]);
     }
     dem_vec_cross(at, load, load + 3);
     return 1;
 }
 
 /* The moment of a row that does not follow from its force, of rolling or of a bond. */
-static void add_moment(const struct dem_state *p, uint32_t r, double factor,
+static void add_moment(const struct dem_state *state, uint32_t r, double factor,
                        struct dem_binned_sum *to)
 {
-    const double *const m = dem_contacts_wall_moment(&p->contacts, r)->m;
+    const double *const m = dem_contacts_wall_moment(&state->contacts, r)->m;
 
     if (m[0] != 0.0 || m[1] != 0.0 || m[2] != 0.0)
     {
@@ -68,13 +68,13 @@ static void add_moment(const struct dem_state *p, uint32_t r, double factor,
     }
 }
 
-static void sum_segment(const struct dem_state *p, const struct dem_segment *segment, int wall,
+static void sum_segment(const struct dem_state *state, const struct dem_segment *segment, int wall,
                         double factor, struct dem_binned_sum *sum)
 {
     for (uint32_t r = segment->first; r < segment->first + segment->count; r++)
     {
-        const struct dem_pair *const q = dem_contacts_pair(&p->contacts, r);
-        const int own_wall = p->walls.facet[dem_pairs_facet(&p->pairs, q->j)].wall;
+        const struct dem_pair *const q = dem_contacts_pair(&state->contacts, r);
+        const int own_wall = state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall;
         struct dem_binned_sum *const to = sum + (wall < 0 ? own_wall : 0);
         double load[6];
 
@@ -82,47 +82,47 @@ static void sum_segment(const struct dem_state *p, const struct dem_segment *seg
         {
             continue;
         }
-        if (load_of_row(p, r, factor, load))
+        if (load_of_row(state, r, factor, load))
         {
             dem_binned_sum_add(to, load);
         }
-        if (p->contacts.forces.moments)
+        if (state->contacts.forces.moments)
         {
-            add_moment(p, r, factor, to);
+            add_moment(state, r, factor, to);
         }
     }
 }
 
-void dem_wall_statistics_sum_forces(const struct dem_state *p, int wall, double factor,
+void dem_wall_statistics_sum_forces(const struct dem_state *state, int wall, double factor,
                                     struct dem_binned_sum *sum)
 {
-    const struct dem_contact_rows *const rows = &p->contacts.rows;
+    const struct dem_contact_rows *const rows = &state->contacts.rows;
 
     for (int s = 0; s < rows->classes && rows->n > 0; s++)
     {
-        if (p->interaction_table.list[s].pair.with_wall)
+        if (state->interaction_table.list[s].pair.with_wall)
         {
-            sum_segment(p, &rows->segment[s], wall, factor, sum);
+            sum_segment(state, &rows->segment[s], wall, factor, sum);
         }
     }
 }
 
 /* Power [W] of a wall on the particle of a row, with the force of the last sweep and the velocity of the
    surface in the last step; ahead = 1: after the drift that follows the sweep. */
-static double power_of_row(const struct dem_state *p, uint32_t r, int ahead)
+static double power_of_row(const struct dem_state *state, uint32_t r, int ahead)
 {
-    const struct dem_contacts *const c = &p->contacts;
+    const struct dem_contacts *const c = &state->contacts;
     const struct dem_pair *const q = dem_contacts_pair(c, r);
     const double *const f = dem_contacts_wall_force(c, r)->f;
-    const struct dem_wall_touch *const at = &p->touches.touch[q->j];
-    const int facet = dem_pairs_facet(&p->pairs, q->j);
+    const struct dem_wall_touch *const at = &state->touches.touch[q->j];
+    const int facet = dem_pairs_facet(&state->pairs, q->j);
     struct dem_wall_surface wall;
 
-    dem_wall_surface_motion(&p->walls, facet, at, ahead, &wall);
-    if (dem_wall_surface_follows_mesh(&p->walls, facet))
+    dem_wall_surface_motion(&state->walls, facet, at, ahead, &wall);
+    if (dem_wall_surface_follows_mesh(&state->walls, facet))
     {
-        dem_wall_surface_add_mesh_motion(&p->walls, &p->pairs.wall_search, q->j,
-                                         p->particles.record[q->i].x, at, p->dt, &wall);
+        dem_wall_surface_add_mesh_motion(&state->walls, &state->pairs.wall_search, q->j,
+                                         state->particles.record[q->i].x, at, state->dt, &wall);
     }
     const double turning =
         c->forces.moments ? dem_vec_dot(dem_contacts_wall_moment(c, r)->m, wall.spin) : 0.0;
@@ -130,27 +130,27 @@ static double power_of_row(const struct dem_state *p, uint32_t r, int ahead)
     return dem_vec_dot(f, wall.velocity) + turning;
 }
 
-void dem_wall_statistics_add_work(struct dem_state *p, double span, int ahead)
+void dem_wall_statistics_add_work(struct dem_state *state, double span, int ahead)
 {
-    const struct dem_contact_rows *const rows = &p->contacts.rows;
-    struct dem_energy_balance *const balance = p->energy_balance->open ? p->energy_balance : NULL;
-    struct dem_sum *const work = p->wall_statistics->sum ? p->wall_statistics->work : NULL;
-    const int wanted = (work || balance) && !p->walls.all_flat_static && rows->n > 0;
+    const struct dem_contact_rows *const rows = &state->contacts.rows;
+    struct dem_energy_balance *const balance = state->energy_balance->open ? state->energy_balance : NULL;
+    struct dem_sum *const work = state->wall_statistics->sum ? state->wall_statistics->work : NULL;
+    const int wanted = (work || balance) && !state->walls.all_flat_static && rows->n > 0;
 
     for (int s = 0; s < rows->classes && wanted; s++)
     {
         const struct dem_segment *const at = &rows->segment[s];
         const uint32_t end =
-            at->first + (p->interaction_table.list[s].pair.with_wall ? at->count : 0);
+            at->first + (state->interaction_table.list[s].pair.with_wall ? at->count : 0);
 
         for (uint32_t r = at->first; r < end; r++)
         {
-            const int facet = dem_pairs_facet(&p->pairs, dem_contacts_pair(&p->contacts, r)->j);
-            const double done = span*power_of_row(p, r, ahead);
+            const int facet = dem_pairs_facet(&state->pairs, dem_contacts_pair(&state->contacts, r)->j);
+            const double done = span*power_of_row(state, r, ahead);
 
             if (work && done != 0.0)
             {
-                dem_sum_add(&work[p->walls.facet[facet].wall], done);
+                dem_sum_add(&work[state->walls.facet[facet].wall], done);
             }
             if (balance)
             {
@@ -160,14 +160,14 @@ void dem_wall_statistics_add_work(struct dem_state *p, double span, int ahead)
     }
 }
 
-int dem_wall_statistics_save_forces(struct dem_state *p)
+int dem_wall_statistics_save_forces(struct dem_state *state)
 {
-    struct dem_wall_statistics *const b = p->wall_statistics;
+    struct dem_wall_statistics *const b = state->wall_statistics;
 
     if (b->sum && !b->saved)
     {
         DEM_TRY(DEM_NEW(b->saved, b->walls + 1));
-        dem_wall_statistics_sum_forces(p, -1, 1.0, b->saved);
+        dem_wall_statistics_sum_forces(state, -1, 1.0, b->saved);
     }
     return DEM_OK;
 }
@@ -193,14 +193,14 @@ static void add_held(struct dem_wall_statistics *b, double kick)
     dem_wall_statistics_drop_forces(b);
 }
 
-void dem_wall_statistics_add_kick(struct dem_state *p, double kick)
+void dem_wall_statistics_add_kick(struct dem_state *state, double kick)
 {
-    if (p->wall_statistics->saved)
+    if (state->wall_statistics->saved)
     {
-        add_held(p->wall_statistics, kick);
+        add_held(state->wall_statistics, kick);
     }
-    else if (p->wall_statistics->sum)
+    else if (state->wall_statistics->sum)
     {
-        dem_wall_statistics_sum_forces(p, -1, kick, p->wall_statistics->sum);
+        dem_wall_statistics_sum_forces(state, -1, kick, state->wall_statistics->sum);
     }
 }

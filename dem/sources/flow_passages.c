@@ -9,11 +9,11 @@
 #include "ranks/dem_state.h"
 #include <stdlib.h>
 
-static int count_particle(struct dem_state *p, size_t i, double late)
+static int count_particle(struct dem_state *state, size_t i, double late)
 {
-    const struct dem_streams *const plan = p->flows->plan;
+    const struct dem_streams *const plan = state->flows->plan;
     int passed[DEM_SNAPSHOT_FLOWS];
-    const int known = dem_flows_planes_passed(p, i, passed);
+    const int known = dem_flows_planes_passed(state, i, passed);
 
     for (int k = 0; known && k < plan->planes; k++)
     {
@@ -21,24 +21,24 @@ static int count_particle(struct dem_state *p, size_t i, double late)
 
         for (int n = abs(passed[k]); n > 0; n--)
         {
-            DEM_TRY(dem_flows_record_departure(p, flow, &p->particles.record[i], late));
+            DEM_TRY(dem_flows_record_departure(state, flow, &state->particles.record[i], late));
         }
     }
     return DEM_OK;
 }
 
-int dem_flows_count_passages(struct dem_state *p, double late)
+int dem_flows_count_passages(struct dem_state *state, double late)
 {
     int status = DEM_OK;
 
-    if (p->flows->n == 0 || p->flows->plan->planes == 0)
+    if (state->flows->n == 0 || state->flows->plan->planes == 0)
     {
         return DEM_OK;
     }
-    for (size_t i = 0; i < p->particles.n && !status; i++)
+    for (size_t i = 0; i < state->particles.n && !status; i++)
     {
-        status = count_particle(p, i, late);
+        status = count_particle(state, i, late);
     }
-    DEM_TRY(dem_agree(p, status));
-    return dem_flows_sum_departures(p);
+    DEM_TRY(dem_agree(state, status));
+    return dem_flows_sum_departures(state);
 }

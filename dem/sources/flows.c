@@ -28,10 +28,10 @@ void dem_flows_free(struct dem_flows *f)
     memset(f, 0, sizeof *f);
 }
 
-int dem_flows_due(const struct dem_state *p)
+int dem_flows_due(const struct dem_state *state)
 {
-    return p->flows->n > 0 && !p->flows->asked && p->steps%DEM_FLOW_STEPS == 0 &&
-           p->steps != p->flows->checked;
+    return state->flows->n > 0 && !state->flows->asked && state->steps%DEM_FLOW_STEPS == 0 &&
+           state->steps != state->flows->checked;
 }
 
 /* ---- beginning ------------------------------------------------------------------------------- */
@@ -97,22 +97,22 @@ static void add_flow(struct dem_flows *f, const char *name, int kind)
     row->kind = kind;
 }
 
-int64_t dem_flows_first_free_id(const struct dem_state *p)
+int64_t dem_flows_first_free_id(const struct dem_state *state)
 {
     int64_t next = 0;
 
-    for (size_t i = 0; i < p->particles.n; i++)
+    for (size_t i = 0; i < state->particles.n; i++)
     {
-        next = p->particles.record[i].id >= next ? p->particles.record[i].id + 1 : next;
+        next = state->particles.record[i].id >= next ? state->particles.record[i].id + 1 : next;
     }
-    dem_collect_max_int64(&p->decomposition, &next, 1);
+    dem_collect_max_int64(&state->decomposition, &next, 1);
     return next;
 }
 
-int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
+int dem_flows_begin(struct dem_state *state, const struct dem_streams *plan,
                     const struct dem_snapshot *from)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
 
     f->plan = plan;
     f->n = 0;
@@ -124,48 +124,48 @@ int dem_flows_begin(struct dem_state *p, const struct dem_streams *plan,
         f->flow[k].rate = s->rate;
         f->flow[k].start = s->start;
         f->flow[k].end = s->end;
-        f->flow[k].since = s->at_once ? fmin(p->time, s->start) : p->time;
-        f->flow[k].last = p->time;
-        resume(&f->flow[k], s, from, p->time);
+        f->flow[k].since = s->at_once ? fmin(state->time, s->start) : state->time;
+        f->flow[k].last = state->time;
+        resume(&f->flow[k], s, from, state->time);
     }
     for (int k = 0; k < plan->outlets; k++)
     {
         add_flow(f, plan->outlet[k].name, DEM_FLOW_OUTLET);
-        resume(&f->flow[f->n - 1], NULL, from, p->time);
+        resume(&f->flow[f->n - 1], NULL, from, state->time);
     }
     for (int k = 0; k < 2*plan->planes; k++)
     {
         add_flow(f, plan->plane[k/2].name, k%2 ? DEM_FLOW_BACK : DEM_FLOW_FORTH);
-        resume(&f->flow[f->n - 1], NULL, from, p->time);
+        resume(&f->flow[f->n - 1], NULL, from, state->time);
     }
     if (f->n == 0)
     {
         return DEM_OK;
     }
-    p->energy_balance->flows = plan->streams + plan->outlets > 0;
+    state->energy_balance->flows = plan->streams + plan->outlets > 0;
     if (!from || from->flows == 0)
     {
-        dem_flows_end_check(p);
+        dem_flows_end_check(state);
     }
     add_flow(f, "domain", DEM_FLOW_OUTLET);
-    resume(&f->flow[f->n - 1], NULL, from, p->time);
-    f->next_id = dem_flows_first_free_id(p);
+    resume(&f->flow[f->n - 1], NULL, from, state->time);
+    f->next_id = dem_flows_first_free_id(state);
     f->next_id = from && from->next_id > f->next_id ? from->next_id : f->next_id;
     return DEM_OK;
 }
 
 /* ---- insertion ------------------------------------------------------------------------------- */
 
-void dem_flows_begin_columns(struct dem_state *p, size_t i, const struct dem_uniform_fluid *fluid)
+void dem_flows_begin_columns(struct dem_state *state, size_t i, const struct dem_uniform_fluid *fluid)
 {
-    struct dem_particles *const all = &p->particles;
+    struct dem_particles *const all = &state->particles;
     const struct dem_particle *const q = &all->record[i];
 
-    dem_scalars_begin_particle(all, &p->interaction_table, i);
+    dem_scalars_begin_particle(all, &state->interaction_table, i);
     dem_uniform_fluid_fill(all, i, fluid, 0.0);
     if (dem_column(all, DEM_COLUMN_BIRTH))
     {
-        dem_column(all, DEM_COLUMN_BIRTH)[i] = p->time;
+        dem_column(all, DEM_COLUMN_BIRTH)[i] = state->time;
     }
     if (dem_column(all, DEM_COLUMN_FLUID_VELOCITY))
     {
@@ -175,11 +175,11 @@ void dem_flows_begin_columns(struct dem_state *p, size_t i, const struct dem_uni
     }
 }
 
-static int insert_sphere(struct dem_state *p, const struct dem_arrival *new,
+static int insert_sphere(struct dem_state *state, const struct dem_arrival *new,
                          const struct dem_particle *q, const struct dem_clump *body)
 {
-    const struct dem_stream *const s = &p->flows->plan->stream[new->stream];
-    struct dem_particles *const all = &p->particles;
+    const struct dem_stream *const s = &state->flows->plan->stream[new->stream];
+    struct dem_particles *const all = &state->particles;
     const size_t i = all->n;
 
     DEM_TRY(dem_particles_add(all, q));
@@ -187,28 +187,28 @@ static int insert_sphere(struct dem_state *p, const struct dem_arrival *new,
     {
         *dem_clump_at(all, i) = *body;
     }
-    for (int k = 0; k < p->interaction_table.scalars; k++)
+    for (int k = 0; k < state->interaction_table.scalars; k++)
     {
         dem_scalar_values(all, k)[i] =
             dem_scalar_draw(&s->scalar[k], k, (uint64_t)s->seed, (uint64_t)new->number);
     }
-    dem_flows_begin_columns(p, i, p->flows->fluid);
-    if (p->energy_balance->open)
+    dem_flows_begin_columns(state, i, state->flows->fluid);
+    if (state->energy_balance->open)
     {
-        dem_energy_balance_particle_in(p, &all->record[i]);
+        dem_energy_balance_particle_in(state, &all->record[i]);
     }
     return DEM_OK;
 }
 
-static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
+static int insert_particle(struct dem_state *state, const struct dem_arrival *new)
 {
-    const struct dem_stream *const s = &p->flows->plan->stream[new->stream];
-    const double density = p->interaction_table.material[s->material].density;
+    const struct dem_stream *const s = &state->flows->plan->stream[new->stream];
+    const double density = state->interaction_table.material[s->material].density;
     struct dem_clump body;
 
     if (!s->clump.shape)
     {
-        return insert_sphere(p, new, &new->particle, NULL);
+        return insert_sphere(state, new, &new->particle, NULL);
     }
     dem_clump_source_make(&s->clump, (uint64_t)s->seed, new->number, density, &new->particle, &body);
     for (size_t k = 0; k < s->clump.shape->n; k++)
@@ -216,28 +216,28 @@ static int insert_particle(struct dem_state *p, const struct dem_arrival *new)
         struct dem_particle q =
             dem_clump_source_sphere(&s->clump, density, &new->particle, k, &body);
 
-        dem_domain_wrap(&p->domain, &q);
-        DEM_TRY(insert_sphere(p, new, &q, &body));
+        dem_domain_wrap(&state->domain, &q);
+        DEM_TRY(insert_sphere(state, new, &q, &body));
     }
     return DEM_OK;
 }
 
-int dem_flows_insert(struct dem_state *p)
+int dem_flows_insert(struct dem_state *state)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
 
     for (size_t k = 0; k < f->arrivals; k++)
     {
         const struct dem_particle *const q = &f->arrival[k].particle;
 
-        if (p->decomposition.ranks == 1 ||
-            dem_decomposition_owner(&p->decomposition, q->x) == p->decomposition.rank)
+        if (state->decomposition.ranks == 1 ||
+            dem_decomposition_owner(&state->decomposition, q->x) == state->decomposition.rank)
         {
-            DEM_TRY(insert_particle(p, &f->arrival[k]));
+            DEM_TRY(insert_particle(state, &f->arrival[k]));
         }
     }
     f->arrivals = 0;
-    dem_orientation_begin(&p->particles);
+    dem_orientation_begin(&state->particles);
     return DEM_OK;
 }
 
@@ -250,21 +250,21 @@ int dem_flows_absorbed(const struct dem_flows *f, const struct dem_particle *q)
     return mark > 0 && mark <= f->plan->outlets ? f->plan->streams + mark - 1 : DEM_FLOW_NONE;
 }
 
-int dem_flows_record_departure(struct dem_state *p, int flow, const struct dem_particle *q,
+int dem_flows_record_departure(struct dem_state *state, int flow, const struct dem_particle *q,
                                double late)
 {
-    struct dem_flows *const f = p->flows;
-    const size_t i = (size_t)(q - p->particles.record);
-    const struct dem_clump *const b = dem_clump_of(&p->particles, i);
+    struct dem_flows *const f = state->flows;
+    const size_t i = (size_t)(q - state->particles.record);
+    const struct dem_clump *const b = dem_clump_of(&state->particles, i);
     const double inverse = b ? 1.0/b->mass : q->inverse_mass;
     struct dem_particle_share share;
     double gravity[3], v[3];
 
-    dem_particle_share(&p->particles, i, &share);
+    dem_particle_share(&state->particles, i, &share);
     DEM_TRY(DEM_GROW(f->departure, f->departure_capacity, f->departures + 1));
     struct dem_departure *const new = &f->departure[f->departures++];
 
-    dem_interaction_table_gravity(&p->interaction_table, gravity);
+    dem_interaction_table_gravity(&state->interaction_table, gravity);
     *new = (struct dem_departure){.id = q->id,
                                   .flow = flow == DEM_FLOW_DOMAIN ? f->n - 1 : flow,
                                   .mass = share.mass};
@@ -287,16 +287,16 @@ static int by_id(const void *a, const void *b)
                           : (p->flow > q->flow) - (p->flow < q->flow);
 }
 
-int dem_flows_sum_departures(struct dem_state *p)
+int dem_flows_sum_departures(struct dem_state *state)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
     const struct dem_collect_items own = {"particles leave in one step", f->departure,
                                           f->departures, sizeof *f->departure};
     struct dem_departure *all;
     void *gathered;
     size_t n;
 
-    DEM_TRY(dem_collect_gather(&p->decomposition, DEM_OK, &own, &gathered, &n));
+    DEM_TRY(dem_collect_gather(&state->decomposition, DEM_OK, &own, &gathered, &n));
     f->departures = 0;
     if (n == 0)
     {

@@ -48,51 +48,51 @@ static int is_due(const struct dem_stream *s, const struct dem_snapshot_flow *f,
 }
 
 /* kg  of the next particle */
-static double next_mass(const struct dem_state *p, int k)
+static double next_mass(const struct dem_state *state, int k)
 {
-    const struct dem_stream *const s = &p->flows->plan->stream[k];
+    const struct dem_stream *const s = &state->flows->plan->stream[k];
 
-    return dem_stream_mass(s, &p->interaction_table, p->flows->flow[k].count);
+    return dem_stream_mass(s, &state->interaction_table, state->flows->flow[k].count);
 }
 
-int dem_flows_insert_by(const struct dem_state *p, double begun)
+int dem_flows_insert_by(const struct dem_state *state, double begun)
 {
-    const struct dem_streams *const plan = p->flows->plan;
+    const struct dem_streams *const plan = state->flows->plan;
     int any = 0;
 
     for (int k = 0; k < plan->streams; k++)
     {
         const struct dem_stream *const s = &plan->stream[k];
 
-        any |= s->start <= begun && is_within(s, &p->flows->flow[k], next_mass(p, k))
-            && (s->at_once || p->time < s->end);
+        any |= s->start <= begun && is_within(s, &state->flows->flow[k], next_mass(state, k))
+            && (s->at_once || state->time < s->end);
     }
     return any;
 }
 
 /* particles or kg  due now and not yet inserted */
-static double amount_owed(const struct dem_state *p, int k)
+static double amount_owed(const struct dem_state *state, int k)
 {
-    const struct dem_stream *const s = &p->flows->plan->stream[k];
-    const struct dem_snapshot_flow *const row = &p->flows->flow[k];
+    const struct dem_stream *const s = &state->flows->plan->stream[k];
+    const struct dem_snapshot_flow *const row = &state->flows->flow[k];
 
-    return row->owed + dem_stream_amount_due(s, row->since, p->time) -
+    return row->owed + dem_stream_amount_due(s, row->since, state->time) -
            (s->by_mass ? row->mass : (double)row->count);
 }
 
 /* 1 in `clear` when the particle overlaps no sphere and no wall and lies in the domain; then it is
    wrapped. */
-static int test_position(struct dem_state *p, const struct dem_inlet_grid *grid,
+static int test_position(struct dem_state *state, const struct dem_inlet_grid *grid,
                          struct dem_particle *q, int *clear)
 {
     *clear = 0;
-    if (!dem_domain_project(&p->domain, q) || !dem_inlet_grid_is_clear(grid, q->x, q->radius))
+    if (!dem_domain_project(&state->domain, q) || !dem_inlet_grid_is_clear(grid, q->x, q->radius))
     {
         return DEM_OK;
     }
-    dem_domain_wrap(&p->domain, q);
-    if (!dem_domain_contains(&p->domain, q->x) ||
-        dem_flows_outlet_at(p->flows, q->x) != DEM_FLOW_NONE)
+    dem_domain_wrap(&state->domain, q);
+    if (!dem_domain_contains(&state->domain, q->x) ||
+        dem_flows_outlet_at(state->flows, q->x) != DEM_FLOW_NONE)
     {
         return DEM_OK;
     }
@@ -101,7 +101,7 @@ static int test_position(struct dem_state *p, const struct dem_inlet_grid *grid,
 
 /* 1 in `passes` when the path from the inlet to x leads through a wall. A wall on the inlet itself
    does not count. */
-static int path_passes(struct dem_state *p, const struct dem_inlet_grid *grid, double radius,
+static int path_passes(struct dem_state *state, const struct dem_inlet_grid *grid, double radius,
                        const double start[3], const double x[3], int *passes)
 {
     struct dem_particle from = {.radius = radius}, to = {.radius = radius};
@@ -120,15 +120,15 @@ static int path_passes(struct dem_state *p, const struct dem_inlet_grid *grid, d
         from.x[k] = start[k] + on_inlet*radius/length*along[k];
         to.x[k] = x[k];
     }
-    dem_domain_project(&p->domain, &from);
-    dem_domain_project(&p->domain, &to);
-    return dem_wall_path_passes(grid->walls.search, grid->walls.walls, &p->domain, radius, from.x,
+    dem_domain_project(&state->domain, &from);
+    dem_domain_project(&state->domain, &to);
+    return dem_wall_path_passes(grid->walls.search, grid->walls.walls, &state->domain, radius, from.x,
                                 to.x, passes);
 }
 
 /* Trials of a position and a velocity, until one is free. `found`: 1 if one was. A particle that
    would have hit a wall since it entered begins on the inlet. */
-static int find_position(struct dem_state *p, const struct dem_stream_trial *first,
+static int find_position(struct dem_state *state, const struct dem_stream_trial *first,
                          const struct dem_inlet_grid *grid, struct dem_particle *q, int *found)
 {
     struct dem_stream_trial t = *first;
@@ -145,25 +145,25 @@ static int find_position(struct dem_state *p, const struct dem_stream_trial *fir
             continue;
         }
         memcpy(q->x, x, sizeof x);
-        DEM_TRY(test_position(p, grid, q, found));
+        DEM_TRY(test_position(state, grid, q, found));
         if (*found)
         {
-            DEM_TRY(path_passes(p, grid, q->radius, start, x, &passes));
+            DEM_TRY(path_passes(state, grid, q->radius, start, x, &passes));
             if (passes)
             {
                 memcpy(q->x, start, sizeof start);
                 q->image = sphere.image;
-                DEM_TRY(test_position(p, grid, q, found));
+                DEM_TRY(test_position(state, grid, q, found));
             }
         }
     }
     return DEM_OK;
 }
 
-static int add_arrival(struct dem_state *p, int stream, struct dem_inlet_grid *grid,
+static int add_arrival(struct dem_state *state, int stream, struct dem_inlet_grid *grid,
                        const struct dem_particle *q)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
 
     DEM_TRY(DEM_GROW(f->arrival, f->arrival_capacity, f->arrivals + 1));
     f->arrival[f->arrivals++] = (struct dem_arrival){
@@ -197,13 +197,13 @@ static void add_to_totals(struct dem_snapshot_flow *f, const struct dem_particle
 }
 
 /* One particle after the other, as they are due, until one finds no free position. */
-static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
+static int insert_due(struct dem_state *state, int k, struct dem_inlet_grid *grid,
                       struct dem_stream_trial *t)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
     const struct dem_stream *const s = &f->plan->stream[k];
     struct dem_snapshot_flow *const row = &f->flow[k];
-    const double density = p->interaction_table.material[s->material].density,
+    const double density = state->interaction_table.material[s->material].density,
                  zero[3] = {0.0, 0.0, 0.0};
     int found;
 
@@ -212,8 +212,8 @@ static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
         struct dem_particle q =
             dem_particle_sphere(f->next_id, zero, dem_stream_diameter(s, row->count), density,
                                 s->material);
-        q.mass = dem_stream_mass(s, &p->interaction_table, row->count);
-        const double due = row->owed + dem_stream_amount_due(s, row->since, p->time) -
+        q.mass = dem_stream_mass(s, &state->interaction_table, row->count);
+        const double due = row->owed + dem_stream_amount_due(s, row->since, state->time) -
                            (s->by_mass ? row->mass : (double)row->count);
 
         f->waiting[k] = is_due(s, row, due, q.mass) ? due : 0.0;
@@ -224,7 +224,7 @@ static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
         t->number = row->count;
         t->radius = q.radius;
         memcpy(q.w, s->spin, sizeof q.w);
-        DEM_TRY(find_position(p, t, grid, &q, &found));
+        DEM_TRY(find_position(state, t, grid, &q, &found));
         if (!found)
         {
             return DEM_OK;
@@ -232,7 +232,7 @@ static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
         DEM_REQUIRE(f->next_id < INT64_MAX - DEM_CLUMP_SPHERES, DEM_ERROR_INPUT,
                     "insert/%s: no 64-bit id is left for its next particle; give the initial "
                     "particles smaller ids", s->name);
-        DEM_TRY(add_arrival(p, k, grid, &q));
+        DEM_TRY(add_arrival(state, k, grid, &q));
         add_to_totals(row, &q, rotation(s, row, density, &q));
         f->next_id += dem_clump_source_ids(&s->clump);
     }
@@ -240,19 +240,19 @@ static int insert_due(struct dem_state *p, int k, struct dem_inlet_grid *grid,
 
 /* Collective; a rank that has failed before (`status`) takes part. Tests the amount due first: in
    the majority of checks nothing is due. */
-static int check_stream(struct dem_state *p, int k, int64_t step, int status)
+static int check_stream(struct dem_state *state, int k, int64_t step, int status)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
     const struct dem_stream *const s = &f->plan->stream[k];
     struct dem_snapshot_flow *const row = &f->flow[k];
-    const double due = amount_owed(p, k), mass = next_mass(p, k);
+    const double due = amount_owed(state, k), mass = next_mass(state, k);
     struct dem_stream_trial t = {.step = step,
-                                 .ago = p->time - fmax(row->last, fmin(s->start, p->time))};
+                                 .ago = state->time - fmax(row->last, fmin(s->start, state->time))};
     struct dem_inlet_grid grid = {
-        .domain = &p->domain, .stream = s, .max_radius = 0.5*s->sizes.max};
+        .domain = &state->domain, .stream = s, .max_radius = 0.5*s->sizes.max};
     const double travel = dem_stream_max_travel(s, t.ago, 0.5*s->sizes.max);
 
-    row->last = p->time;
+    row->last = state->time;
     f->waiting[k] = 0.0;
     if (!is_due(s, row, due, mass) || (s->inlet.kind == DEM_INLET_FACES && s->inlet.n == 0))
     {
@@ -268,21 +268,21 @@ static int check_stream(struct dem_state *p, int k, int64_t step, int status)
 
     memcpy(box[0], grid.min, sizeof box[0]);
     memcpy(box[1], grid.max, sizeof box[1]);
-    status = dem_inlet_grid_gather(&grid, p, status);
-    status = dem_inlet_walls_gather(&grid.walls, p, status, box, s->sizes.max);
+    status = dem_inlet_grid_gather(&grid, state, status);
+    status = dem_inlet_walls_gather(&grid.walls, state, status, box, s->sizes.max);
     status = status ? status : dem_inlet_grid_make(&grid);
-    status = status ? status : insert_due(p, k, &grid, &t);
+    status = status ? status : insert_due(state, k, &grid, &t);
     dem_inlet_grid_free(&grid);
     return status;
 }
 
-int dem_flows_find_positions(struct dem_state *p, int64_t step)
+int dem_flows_find_positions(struct dem_state *state, int64_t step)
 {
     int status = DEM_OK;
 
-    for (int k = 0; k < p->flows->plan->streams; k++)
+    for (int k = 0; k < state->flows->plan->streams; k++)
     {
-        status = check_stream(p, k, step, status);
+        status = check_stream(state, k, step, status);
     }
     return status;
 }

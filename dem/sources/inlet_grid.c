@@ -71,38 +71,38 @@ static int add_images(struct dem_inlet_grid *grid, const double x[3], double rad
 }
 
 /* Collective; `status`: of this rank. The spheres of all ranks replace this rank's. */
-static int gather(struct dem_state *p, struct dem_inlet_grid *grid, int status)
+static int gather(struct dem_state *state, struct dem_inlet_grid *grid, int status)
 {
     const struct dem_collect_items own = {"particles near the inlet of a stream", grid->sphere,
                                           grid->n, sizeof *grid->sphere};
     void *all;
 
-    if (p->decomposition.ranks == 1)
+    if (state->decomposition.ranks == 1)
     {
         return status;
     }
-    DEM_TRY(dem_collect_gather(&p->decomposition, status, &own, &all, &grid->n));
+    DEM_TRY(dem_collect_gather(&state->decomposition, status, &own, &all, &grid->n));
     dem_memory_free(grid->sphere);
     grid->sphere = all;
     grid->sphere_capacity = grid->n;
     return DEM_OK;
 }
 
-int dem_inlet_grid_gather(struct dem_inlet_grid *grid, struct dem_state *p, int status)
+int dem_inlet_grid_gather(struct dem_inlet_grid *grid, struct dem_state *state, int status)
 {
-    for (size_t i = 0; i < p->particles.n && !status; i++)
+    for (size_t i = 0; i < state->particles.n && !status; i++)
     {
-        const struct dem_particle *const q = &p->particles.record[i];
+        const struct dem_particle *const q = &state->particles.record[i];
 
         status = add_images(grid, q->x, q->radius);
     }
-    for (size_t k = 0; k < p->flows->arrivals && p->decomposition.rank == 0 && !status; k++)
+    for (size_t k = 0; k < state->flows->arrivals && state->decomposition.rank == 0 && !status; k++)
     {
-        const struct dem_particle *const q = &p->flows->arrival[k].particle;
+        const struct dem_particle *const q = &state->flows->arrival[k].particle;
 
         status = add_images(grid, q->x, q->radius);
     }
-    return gather(p, grid, status);
+    return gather(state, grid, status);
 }
 
 static int cell_along(const struct dem_inlet_grid *grid, int k, double x)

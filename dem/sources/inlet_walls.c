@@ -6,19 +6,19 @@
 #include "sources/inlet_walls.h"
 #include "core/error.h"
 
-int dem_inlet_walls_gather(struct dem_inlet_walls *i, struct dem_state *p, int status,
+int dem_inlet_walls_gather(struct dem_inlet_walls *i, struct dem_state *state, int status,
                            double box[2][3], double reach)
 {
-    *i = (struct dem_inlet_walls){.walls = &p->walls, .search = &p->pairs.wall_search};
-    if (p->decomposition.ranks == 1 || dem_walls_count_triangles(&p->walls) == 0)
+    *i = (struct dem_inlet_walls){.walls = &state->walls, .search = &state->pairs.wall_search};
+    if (state->decomposition.ranks == 1 || dem_walls_count_triangles(&state->walls) == 0)
     {
         return status;
     }
     i->walls = &i->near;
     i->search = &i->near_search;
-    DEM_TRY(dem_wall_store_gather(&p->wall_store, status, &p->walls, &p->domain, box, reach,
+    DEM_TRY(dem_wall_store_gather(&state->wall_store, status, &state->walls, &state->domain, box, reach,
                                   &i->near));
-    return dem_wall_search_prepare(&i->near_search, &i->near, p->pairs.wall_search.radius);
+    return dem_wall_search_prepare(&i->near_search, &i->near, state->pairs.wall_search.radius);
 }
 
 void dem_inlet_walls_free(struct dem_inlet_walls *i)

@@ -108,78 +108,78 @@ static void test_path(struct path *p, const struct dem_domain *d)
 }
 
 /* The path of particle i, which is wrapped in q. Returns 0 when it is not known. */
-static int begin_path(const struct dem_state *p, size_t i, const struct dem_particle *q,
+static int begin_path(const struct dem_state *state, size_t i, const struct dem_particle *q,
                       struct path *path)
 {
-    const double *const column = dem_column(&p->particles, DEM_COLUMN_CHECKED_POSITION);
+    const double *const column = dem_column(&state->particles, DEM_COLUMN_CHECKED_POSITION);
 
-    if (!column || column[LAST*i + 3] <= 0.0 || !is_wrapped(&p->domain, q->x))
+    if (!column || column[LAST*i + 3] <= 0.0 || !is_wrapped(&state->domain, q->x))
     {
         return 0;
     }
-    *path = (struct path){.flows = p->flows, .outlet = DEM_FLOW_NONE};
+    *path = (struct path){.flows = state->flows, .outlet = DEM_FLOW_NONE};
     for (size_t k = 0; k < 3; k++)
     {
         const uint32_t image = (uint32_t)(column[LAST*i + 3] - 1.0);
 
         path->step[k] = q->x[k] - column[LAST*i + k];
         /* the centre of a body has no counter; it moves by less than half a box between checks */
-        path->step[k] += q->body == 0 ? dem_image_difference(q->image, image, (int)k)*p->domain.length[k]
-                         : p->domain.periodic[k]
-                             ? -p->domain.length[k]*rint(path->step[k]/p->domain.length[k])
+        path->step[k] += q->body == 0 ? dem_image_difference(q->image, image, (int)k)*state->domain.length[k]
+                         : state->domain.periodic[k]
+                             ? -state->domain.length[k]*rint(path->step[k]/state->domain.length[k])
                              : 0.0;
         path->from[k] = q->x[k] - path->step[k];
     }
     return 1;
 }
 
-int dem_flows_outlet(const struct dem_state *p, size_t i)
+int dem_flows_outlet(const struct dem_state *state, size_t i)
 {
-    struct dem_particle q = p->particles.record[i];
+    struct dem_particle q = state->particles.record[i];
     struct path path;
 
-    if (p->flows->n == 0)
+    if (state->flows->n == 0)
     {
         return DEM_FLOW_NONE;
     }
-    memcpy(q.x, dem_clump_home(&p->particles, i), sizeof q.x);
-    dem_domain_wrap(&p->domain, &q);
-    const int holds = dem_flows_outlet_at(p->flows, q.x);
+    memcpy(q.x, dem_clump_home(&state->particles, i), sizeof q.x);
+    dem_domain_wrap(&state->domain, &q);
+    const int holds = dem_flows_outlet_at(state->flows, q.x);
 
-    if (holds != DEM_FLOW_NONE || p->flows->plan->outlets == 0 || !begin_path(p, i, &q, &path))
+    if (holds != DEM_FLOW_NONE || state->flows->plan->outlets == 0 || !begin_path(state, i, &q, &path))
     {
         return holds;
     }
-    test_path(&path, &p->domain);
+    test_path(&path, &state->domain);
     return path.outlet;
 }
 
-int dem_flows_planes_passed(const struct dem_state *p, size_t i, int passed[DEM_SNAPSHOT_FLOWS])
+int dem_flows_planes_passed(const struct dem_state *state, size_t i, int passed[DEM_SNAPSHOT_FLOWS])
 {
-    struct dem_particle q = p->particles.record[i];
+    struct dem_particle q = state->particles.record[i];
     struct path path;
 
-    memcpy(q.x, dem_clump_home(&p->particles, i), sizeof q.x);
-    dem_domain_wrap(&p->domain, &q);
-    if (!begin_path(p, i, &q, &path))
+    memcpy(q.x, dem_clump_home(&state->particles, i), sizeof q.x);
+    dem_domain_wrap(&state->domain, &q);
+    if (!begin_path(state, i, &q, &path))
     {
         return 0;
     }
-    path.planes = p->flows->plan->planes;
-    test_path(&path, &p->domain);
+    path.planes = state->flows->plan->planes;
+    test_path(&path, &state->domain);
     memcpy(passed, path.passed, sizeof path.passed);
     return 1;
 }
 
-void dem_flows_end_check(struct dem_state *p)
+void dem_flows_end_check(struct dem_state *state)
 {
-    double *const column = dem_column(&p->particles, DEM_COLUMN_CHECKED_POSITION);
+    double *const column = dem_column(&state->particles, DEM_COLUMN_CHECKED_POSITION);
 
-    for (size_t i = 0; column && i < p->particles.n; i++)
+    for (size_t i = 0; column && i < state->particles.n; i++)
     {
-        const struct dem_particle *const q = &p->particles.record[i];
+        const struct dem_particle *const q = &state->particles.record[i];
 
-        memcpy(column + LAST*i, dem_clump_home(&p->particles, i), sizeof q->x);
+        memcpy(column + LAST*i, dem_clump_home(&state->particles, i), sizeof q->x);
         column[LAST*i + 3] = 1.0 + (double)q->image;
     }
 }

@@ -44,11 +44,11 @@ static void resume(struct dem_residence *r, const char *words)
     }
 }
 
-int dem_residence_begin(struct dem_state *p, const char *text)
+int dem_residence_begin(struct dem_state *state, const char *text)
 {
-    struct dem_flows *const f = p->flows;
+    struct dem_flows *const f = state->flows;
 
-    if (!dem_column(&p->particles, DEM_COLUMN_BIRTH))
+    if (!dem_column(&state->particles, DEM_COLUMN_BIRTH))
     {
         return DEM_OK;
     }
@@ -74,13 +74,13 @@ void dem_residence_free(struct dem_flows *f)
     dem_memory_free(f->residence);
 }
 
-void dem_residence_record(struct dem_state *p, size_t i)
+void dem_residence_record(struct dem_state *state, size_t i)
 {
-    const double *const birth = dem_column(&p->particles, DEM_COLUMN_BIRTH);
+    const double *const birth = dem_column(&state->particles, DEM_COLUMN_BIRTH);
 
-    if (birth && dem_clump_counts(&p->particles.record[i]))
+    if (birth && dem_clump_counts(&state->particles.record[i]))
     {
-        p->flows->departure[p->flows->departures - 1].age = p->time - birth[i];
+        state->flows->departure[state->flows->departures - 1].age = state->time - birth[i];
     }
 }
 

@@ -36,37 +36,37 @@ static double neighbors(double gap)
 static const double tuned_skin[2] = {0.3, 0.04};
 
 /* Listed pairs and candidate contacts per particle of a dense bed with the present skins. */
-static void count_lists(const struct dem_state *p, const struct dem_inventory *s,
+static void count_lists(const struct dem_state *state, const struct dem_inventory *s,
                         struct dem_run_cost *c)
 {
-    const double mean = s->all.diameters/(double)s->all.n, reach = p->pairs.reach/mean;
-    const int tuned = p->pairs.skins.tuned;
+    const double mean = s->all.diameters/(double)s->all.n, reach = state->pairs.reach/mean;
+    const int tuned = state->pairs.skins.tuned;
 
-    c->pairs = 0.5*neighbors(tuned ? reach + tuned_skin[0] : p->pairs.outer/mean);
-    c->rows = 0.5*neighbors(tuned ? reach + tuned_skin[1] : p->pairs.inner/mean);
+    c->pairs = 0.5*neighbors(tuned ? reach + tuned_skin[0] : state->pairs.outer/mean);
+    c->rows = 0.5*neighbors(tuned ? reach + tuned_skin[1] : state->pairs.inner/mean);
 }
 
 /* Lists grow by at most 1/8 when they are full: on average their capacity is (1/8)/ln(9/8) times
    their length. */
 static const double capacity = 1.061;
 
-static void count_bytes(const struct dem_state *p, const struct dem_inventory *s,
+static void count_bytes(const struct dem_state *state, const struct dem_inventory *s,
                         struct dem_run_cost *c)
 {
     const double n = (double)s->all.n;
     const int ring = n*c->rows > DEM_FORCE_BUFFER_ROWS;
 
-    c->particle = (double)dem_particles_bytes_per_particle(&p->particles) + 8.0*sizeof(uint32_t);
-    c->pair = (double)dem_contacts_bytes_per_pair(&p->contacts);
-    c->row = (double)dem_contacts_bytes_per_row(&p->contacts, ring);
+    c->particle = (double)dem_particles_bytes_per_particle(&state->particles) + 8.0*sizeof(uint32_t);
+    c->pair = (double)dem_contacts_bytes_per_pair(&state->contacts);
+    c->row = (double)dem_contacts_bytes_per_row(&state->contacts, ring);
     c->bed = n*(c->particle + capacity*(c->pairs*c->pair + c->rows*c->row));
-    c->bed += ring ? (double)dem_contact_forces_ring_bytes(&p->contacts.forces) : 0.0;
-    c->copy = n*sizeof(double)*(double)dem_particles_packed_size(&p->particles);
-    if (p->contacts.history.columns > 0)
+    c->bed += ring ? (double)dem_contact_forces_ring_bytes(&state->contacts.forces) : 0.0;
+    c->copy = n*sizeof(double)*(double)dem_particles_packed_size(&state->particles);
+    if (state->contacts.history.columns > 0)
     {
         c->copy += n*0.5*in_contact*
                    (double)(sizeof(struct dem_contact_key) +
-                            sizeof(double)*(size_t)p->contacts.history.columns);
+                            sizeof(double)*(size_t)state->contacts.history.columns);
     }
 }
 
@@ -126,7 +126,7 @@ static int time_lists(struct dem_state *q, double *renew, double *prune)
     return DEM_OK;
 }
 
-int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *s, double dt,
+int dem_run_cost_measure(const struct dem_state *state, const struct dem_inventory *s, double dt,
                          struct dem_run_cost *c)
 {
     struct dem_sample q;
@@ -134,18 +134,18 @@ int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *
     int failed = 0;
 
     /* as many spheres as a rank has, so that they use the caches as the run will */
-    const int64_t per_rank = s->all.n/p->decomposition.ranks;
+    const int64_t per_rank = s->all.n/state->decomposition.ranks;
 
-    *c = (struct dem_run_cost){.ranks = p->decomposition.ranks,
-                               .outer = p->pairs.half_outer,
-                               .inner = p->pairs.half_inner,
+    *c = (struct dem_run_cost){.ranks = state->decomposition.ranks,
+                               .outer = state->pairs.half_outer,
+                               .inner = state->pairs.half_inner,
                                .now = s->bytes,
                                .max_now = s->max_bytes,
                                .listed = s->pairs,
                                .candidates = s->rows};
-    count_lists(p, s, c);
-    count_bytes(p, s, c);
-    int status = dem_sample_block_make(&q, p, s, per_rank < max_block ? per_rank : max_block);
+    count_lists(state, s, c);
+    count_bytes(state, s, c);
+    int status = dem_sample_block_make(&q, state, s, per_rank < max_block ? per_rank : max_block);
 
     if (!status)
     {
@@ -160,7 +160,7 @@ int dem_run_cost_measure(const struct dem_state *p, const struct dem_inventory *
     slowest[1] = c->rebuild;
     slowest[2] = c->prune;
     slowest[3] = failed;
-    dem_totals_reduce_max(p, slowest, 4);
+    dem_totals_reduce_max(state, slowest, 4);
     c->step = slowest[3] > 0.0 ? 0.0 : slowest[0];
     c->rebuild = slowest[1];
     c->prune = slowest[2];

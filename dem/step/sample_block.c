@@ -9,21 +9,21 @@
 #include <math.h>
 #include <string.h>
 
-static int most_frequent_material(const struct dem_state *p, const struct dem_inventory *s)
+static int most_frequent_material(const struct dem_state *state, const struct dem_inventory *s)
 {
     int best = 0;
 
-    for (int m = 1; m < p->interaction_table.materials; m++)
+    for (int m = 1; m < state->interaction_table.materials; m++)
     {
         best = s->material[m].n > s->material[best].n ? m : best;
     }
     return best;
 }
 
-static int fill(struct dem_state *q, const struct dem_state *p, const struct dem_inventory *s,
+static int fill(struct dem_state *q, const struct dem_state *state, const struct dem_inventory *s,
                 int edge, double a)
 {
-    const int material = most_frequent_material(p, s);
+    const int material = most_frequent_material(state, s);
     const double d = s->all.diameters/(double)s->all.n;
 
     DEM_TRY(dem_particles_grow(&q->particles, (size_t)(2*edge*edge*edge)));
@@ -35,8 +35,8 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
                              a*(cell/edge/edge + shift)};
 
         q->particles.record[k] =
-            dem_particle_sphere(k, x, d, p->interaction_table.material[material].density, material);
-        if (p->interaction_table.motionless)              /* frozen, so that any step is stable */
+            dem_particle_sphere(k, x, d, state->interaction_table.material[material].density, material);
+        if (state->interaction_table.motionless)              /* frozen, so that any step is stable */
         {
             q->particles.record[k].flags = DEM_PARTICLE_FROZEN;
             q->particles.record[k].inverse_mass = 0.0;
@@ -50,10 +50,10 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
         }
     }
     q->particles.n = (size_t)(2*edge*edge*edge);
-    for (int k = 0; k < p->interaction_table.scalars; k++)
+    for (int k = 0; k < state->interaction_table.scalars; k++)
     {
-        const double given = dem_interaction_table_default(&p->interaction_table, k);
-        const double value = p->particles.n > 0 ? dem_scalar_values(&p->particles, k)[0]
+        const double given = dem_interaction_table_default(&state->interaction_table, k);
+        const double value = state->particles.n > 0 ? dem_scalar_values(&state->particles, k)[0]
                              : isnan(given)     ? 0.0
                                                 : given;
 
@@ -65,13 +65,13 @@ static int fill(struct dem_state *q, const struct dem_state *p, const struct dem
     return DEM_OK;
 }
 
-int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
+int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *state,
                           const struct dem_inventory *s, int64_t max)
 {
     /* touching, with a small overlap */
     const double d = s->all.diameters/(double)s->all.n, a = 0.999*d*2.0/sqrt(3.0);
-    const double skin[2] = {2.0*p->pairs.half_outer, 2.0*p->pairs.half_inner};
-    const int min_edge = (int)ceil((2.0*d + p->pairs.outer)/a) + 1;
+    const double skin[2] = {2.0*state->pairs.half_outer, 2.0*state->pairs.half_inner};
+    const int min_edge = (int)ceil((2.0*d + state->pairs.outer)/a) + 1;
     struct dem_state *const q = &sample->state;
     int edge = 1;
 
@@ -90,16 +90,16 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *p,
         q->domain.periodic[k] = 1;
     }
     dem_domain_finish(&q->domain);
-    DEM_TRY(dem_interaction_table_share(&p->interaction_table, &q->interaction_table));
+    DEM_TRY(dem_interaction_table_share(&state->interaction_table, &q->interaction_table));
     q->limits.overlap_limit = 1.0;
-    q->max_dt = p->max_dt;
+    q->max_dt = state->max_dt;
     q->neighbor_lists = DEM_LISTS_NONE;
     DEM_TRY(dem_decomposition_init(&q->decomposition, MPI_COMM_NULL, 0, 1));
     dem_halo_init(&q->halo, &q->decomposition);
     dem_wall_store_init(&q->wall_store, &q->decomposition);
-    dem_particles_init(&q->particles, p->particles.groups);
-    dem_particles_add_columns_of(&q->particles, &p->particles);
-    DEM_TRY(fill(q, p, s, edge, a));
+    dem_particles_init(&q->particles, state->particles.groups);
+    dem_particles_add_columns_of(&q->particles, &state->particles);
+    DEM_TRY(fill(q, state, s, edge, a));
     DEM_TRY(dem_contacts_init(&q->contacts, &q->interaction_table));
     dem_pairs_init(&q->pairs, &q->domain, skin, q->interaction_table.reach, 0.5*d);
     DEM_TRY(dem_wall_search_prepare(&q->pairs.wall_search, &q->walls, 0.5*d));
