@@ -163,7 +163,7 @@ const struct dem_effect dem_stokes_damping = {
     .name = "stokesDamping",
     .short_name = "stokes",
     .summary =
-        "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact",
+        "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact (short name: stokes)",
     .source = "Legendre, Zenit, Daniel, Guiraud 2006",
     .stage = DEM_STAGE_DAMP,
     .parcels = DEM_PARCELS_SETTINGS,
