@@ -156,12 +156,12 @@ Foam::demCloud::demCloud(const fvMesh& mesh, const bool volumeAveraged)
 
 Foam::demCloud::~demCloud()
 {
-    const char* text = nullptr;
-
     if (!profile_.stepped())
     {
-        return;                 // a plan
+        return;                 // no step: a plan, for example
     }
+    const char* text = nullptr;
+
     profile_.end(demProfile::FLUID);
     Info<< "Suna: time spent on fluid " << profile_.fluid()
         << " s, particles " << profile_.spent(demProfile::PARTICLES)

@@ -221,7 +221,7 @@ void Foam::demExchange::toParticles(const demFlow& flow)
           ? dem_fluid_slip_factor(particles_.core(), fluid_.void_fraction[i])
           : 1;
     }
-    ownWake_.toParticles(volume_.voidFractionOfFluid());
+    ownWake_.toParticles(volume_.voidFractionForFluid());
 }
 
 

@@ -29,7 +29,7 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
         mesh_,
         dimensionedScalar(dimless/dimTime, Zero)
     ),
-    superficialVelocity_
+    solidSuperficialVelocity_
     (
         demFieldAt(mesh_, "dem:solidFlux"),
         mesh_,

@@ -60,8 +60,8 @@ void Foam::demVoidFraction::depositFlux(const UList<scalar>& volume)
               : velocity(view_, i)
             );
     }
-    transfer_.deposit(volumeFlux, superficialVelocity_.ref());
-    superficialVelocity_.correctBoundaryConditions();
+    transfer_.deposit(volumeFlux, solidSuperficialVelocity_.ref());
+    solidSuperficialVelocity_.correctBoundaryConditions();
 }
 
 
@@ -172,7 +172,7 @@ void Foam::demVoidFraction::addSources(UList<scalar>& cells) const
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::demVoidFraction::patchFlux(const label patchi) const
+Foam::tmp<Foam::scalarField> Foam::demVoidFraction::solidPatchFlux(const label patchi) const
 {
     const label k = inletsOutlets_.passages().find(patchi);
     const scalarField& area = mesh_.magSf().boundaryField()[patchi];

@@ -67,7 +67,7 @@ Foam::scalar Foam::demPlan::inflow(const volVectorField& U) const
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& velocity = U.boundaryField()[patchi];
-        const scalarField& e = volume_.voidFractionOfFluid().boundaryField()[patchi];
+        const scalarField& e = volume_.voidFractionForFluid().boundaryField()[patchi];
         const vectorField& area = velocity.patch().Sf();
 
         forAll(velocity, facei)
@@ -168,7 +168,7 @@ void Foam::demPlan::report(const volVectorField& U, const step& fluid)
     // The entering flow has not filled the bed yet; inside the bed it is faster
     const scalar crossing =
         ahead.inflow > 0 && fluid.maxCo > 0
-      ? fluid.maxCo*ahead.cell*gMin(volume_.voidFractionOfFluid().primitiveField())/ahead.inflow
+      ? fluid.maxCo*ahead.cell*gMin(volume_.voidFractionForFluid().primitiveField())/ahead.inflow
       : GREAT;
     const string throughflow("maxCo, by the inlet's flow through the bed");
     const scalar longest = min(fluid.reached, crossing);

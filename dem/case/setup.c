@@ -136,14 +136,14 @@ static int distribute(struct dem_case *c)
     DEM_TRY(dem_decomposition_balance(&state->decomposition, &state->particles, NULL));
     DEM_TRY(dem_collect_agree(&state->decomposition, dem_halo_migrate(&state->halo, DEM_OK, &state->particles,
                                                                       &state->contacts)));
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     dem_walls_move(&state->walls, state->time, 0.0);
     if (c->load_path[0])
     {
         return read_contacts(c);
     }
     DEM_TRY(dem_neighbor_rebuild(state));
-    state->neighbor_lists = DEM_LISTS_REBUILD;
+    state->lists_state = DEM_NEIGHBORS_REBUILD;
     DEM_TRY(dem_collect_agree(&state->decomposition, dem_sim_refuse_overlap(d)));
     DEM_TRY(dem_bond_pairs_mark(state, d->scene.bond_ids, d->scene.bond_id_count));
     DEM_TRY(dem_sweep_contacts_and_sum(state, 0.0, (const double[2]){-INFINITY, state->time}));

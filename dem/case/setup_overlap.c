@@ -77,7 +77,7 @@ int dem_sim_with_lists(struct dem *d, int (*look)(struct dem *))
 
     status = status ? status : restored;
     dem_backup_free(&backup);
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     state->limits.overlap = 0.0;
     dem_flows_restore(state->flows);
     state->lost_particles->n = losses;

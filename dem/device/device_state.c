@@ -283,7 +283,7 @@ static int get_saved(struct dem_device *d, struct dem_state *state)
     dem_contact_rows_clear(&c->rows);
     dem_contact_history_clear(&c->history);
     dem_contact_forces_clear(&c->forces);
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     DEM_TRY(DEM_NEW(history, numbers + 1));
     const size_t near = d->of_near ? 4*(size_t)(list->rows - list->walls) : 0;
     int status = DEM_GROW(d->word, d->words, 2*(size_t)list->rows + near);

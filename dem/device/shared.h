@@ -133,7 +133,7 @@ struct dem_device_batch
     double window_start;                    /* s  step k of the window ends at start + k dt */
     double window, over_window;             /* s, 1/s  the window's length; 0 without */
     int64_t first, first_of_all;            /*    k of the first step of the batch; of its advance */
-    double overlap_limit;                   /* 1  an overlap over the smaller radius ends the run */
+    double overlap_limit;                   /* 1  of the smaller diameter: such an overlap ends the run */
     float overlap;                          /* 1  of the report, so far */
     float start;                            /* m  bound of the displacement now */
     float limit[DEM_DEVICE_BATCH];          /* m  up to which the lists are valid; never increases */

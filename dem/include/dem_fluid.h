@@ -86,8 +86,8 @@ struct dem_fluid
                                             them. The fluid gets the opposite of this and of J */
     const double *angular_impulse;       /* out  N m s 3 each, of rotational drag; NULL without.
                                             Not given to the fluid */
-    const double *drag_integral;         /* out  kg    of the drag coefficient b, without slip_factor,
-                                            over the time of the last advance: sum of b h */
+    const double *drag_integral;         /* out  kg    integral of the drag coefficient b, without
+                                            slip_factor, over the last advance: sum of b h */
     const double *response;              /* out  kg    R: d(drag impulse)/d(fluid velocity),
                                             bounded for held particles */
     const double *displacement;          /* out  m     3 each, in the last advance */

@@ -92,7 +92,7 @@ void dem_clump_flow_drag(const struct dem_clump_flow_row *, const struct dem_clu
                          double J[3]);
 
 /* At the end of a window: the spheres of each body have its decay factor; divide 1 - decay among them in
-   proportion to `integral`, the sum of coefficient times time of each, so that the response of the body
+   proportion to the `integral` of each sphere's coefficient over the window, so that the response of the body
    (step/body_window.c) is the sum over them.
    `per_mass`: times the mass of the body over the sphere's, where the response is per mass of the sphere. */
 void dem_clump_share_decay(const struct dem_clumps *, const struct dem_particles *, const double *integral,

@@ -91,7 +91,7 @@ enum dem_column_name
     DEM_COLUMN_COUPLING_INDEX,           /* 2 numbers owned by the coupling, -1 when unset */
     DEM_COLUMN_DRAG_IMPULSE,             /* N s  J of this window */
     DEM_COLUMN_DECAY_FACTOR,             /* 1    decay factor: product of exp(-b dt/m) */
-    DEM_COLUMN_DRAG_INTEGRAL,            /* kg   of the drag coefficient over time: sum of b dt */
+    DEM_COLUMN_DRAG_INTEGRAL,            /* kg   integral of the drag coefficient: sum of b dt */
     DEM_COLUMN_START_VELOCITY,           /* m/s  at the start of the window */
     DEM_COLUMN_DISPLACEMENT,             /* m    position at the start of the window; after
                                             its end the displacement in the window */

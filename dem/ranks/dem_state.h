@@ -26,11 +26,11 @@
 #include "walls/wall_touch.h"
 #include <signal.h>
 
-/* limits check; reset by each query */
+/* what the run must not exceed, and the largest overlap so far; a query resets overlap */
 struct dem_limits
 {
     /* 1    largest overlap relative to the smaller diameter: since the last query; before it */
-    double overlap, largest_overlap;
+    double overlap, earlier_overlap;
     /* 1    a larger overlap ends the run */
     double overlap_limit;
     /* m/s  a higher speed ends the run; 0: no limit */
@@ -97,14 +97,14 @@ struct dem_progress
     double seconds, last;
 };
 
-/* the neighbor lists of the present particles */
-enum dem_lists_state
+/* whether the neighbor lists are those of the present particles */
+enum dem_neighbors_state
 {
-    DEM_LISTS_VALID,
+    DEM_NEIGHBORS_VALID,
     /* to be rebuilt in the next step */
-    DEM_LISTS_REBUILD,
+    DEM_NEIGHBORS_REBUILD,
     /* there are none of these particles, and no contact rows: after a load or an edit, for example */
-    DEM_LISTS_NONE
+    DEM_NEIGHBORS_NONE
 };
 
 struct dem_state
@@ -147,7 +147,7 @@ struct dem_state
     int64_t steps, rebuilds, prunes;
     struct dem_window window;
     struct dem_next_drift next_drift;
-    enum dem_lists_state neighbor_lists;
+    enum dem_neighbors_state lists_state;
 
     /* all-reduces of dem_agree */
     int64_t agreements;
@@ -161,8 +161,8 @@ struct dem_state
 /* Rebuild the neighbor lists in the next step. */
 static inline void dem_request_rebuild(struct dem_state *state)
 {
-    if (state->neighbor_lists == DEM_LISTS_VALID)
+    if (state->lists_state == DEM_NEIGHBORS_VALID)
     {
-        state->neighbor_lists = DEM_LISTS_REBUILD;
+        state->lists_state = DEM_NEIGHBORS_REBUILD;
     }
 }

@@ -89,11 +89,11 @@ int dem_bonds_write_lines(struct dem_state *state, const char *says, const char 
     int status = DEM_OK;
 
     by.comment = says;
-    if (state->neighbor_lists == DEM_LISTS_NONE && state->steps > 0)
+    if (state->lists_state == DEM_NEIGHBORS_NONE && state->steps > 0)
     {
         return DEM_OK;
     }
-    if (state->neighbor_lists != DEM_LISTS_NONE)
+    if (state->lists_state != DEM_NEIGHBORS_NONE)
     {
         status = dem_bonds_list(state, &n);
     }

@@ -90,6 +90,6 @@ void dem_profile_take(struct dem_state *state, struct dem_profile *f)
         f->wall += mean[k];
     }
     gather_counts(state, f);
-    f->largest_overlap = fmax(state->limits.largest_overlap, state->limits.overlap);
+    f->largest_overlap = fmax(state->limits.earlier_overlap, state->limits.overlap);
     dem_totals_reduce_max(state, &f->largest_overlap, 1);
 }

@@ -201,7 +201,7 @@ void dem_totals_tally(struct dem_state *state, struct dem_totals *t)
                                                          : 0.0,
                              .weight = dem_vec_norm(g)*value[7],
                              .bodies = count[3]};
-    state->limits.largest_overlap = fmax(state->limits.largest_overlap, state->limits.overlap);
+    state->limits.earlier_overlap = fmax(state->limits.earlier_overlap, state->limits.overlap);
     state->limits.overlap = 0.0;
     if (state->contacts.forces.has_energy)
     {

@@ -257,7 +257,7 @@ int dem_restore(struct dem *d, double *time)
     state->steps = state->backup.steps;
     state->time = *time = state->backup.time;
     state->limits.overlap = 0.0;
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     state->window.half_step_ahead = 0;
     dem_cell_restore(state);
     dem_stages_rewind(d);

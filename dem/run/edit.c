@@ -158,12 +158,12 @@ static void finish(struct dem *d, struct dem_edit *e)
 /* Save what belongs to the contact rows, and drop these. */
 static int drop_rows(struct dem_state *state)
 {
-    if (state->neighbor_lists != DEM_LISTS_NONE)
+    if (state->lists_state != DEM_NEIGHBORS_NONE)
     {
         DEM_TRY(dem_wall_statistics_save_forces(state));
         DEM_TRY(dem_contacts_save_history(&state->contacts, &state->particles, state->pairs.wall_facet));
     }
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     state->particles.ghosts = 0;
     return DEM_OK;
 }

@@ -226,7 +226,7 @@ int dem_has_bonds(const struct dem *d)
 int dem_bonds(struct dem *d, int64_t *n, const struct dem_bond **bond)
 {
     /* after a load or restore there are no lists before the first step */
-    if (d->state.neighbor_lists == DEM_LISTS_NONE)
+    if (d->state.lists_state == DEM_NEIGHBORS_NONE)
     {
         *n = 0;
         *bond = NULL;
@@ -321,7 +321,7 @@ int dem_virial(struct dem *d, double *virial)
                 "dem_start");
     memset(virial, 0, 6*d->state.particles.n*sizeof *virial);
     /* after a load, a restore or a step that failed there are no lists */
-    if (d->state.neighbor_lists != DEM_LISTS_NONE && d->state.contacts.rows.n > 0)
+    if (d->state.lists_state != DEM_NEIGHBORS_NONE && d->state.contacts.rows.n > 0)
     {
         dem_virial_sum(&d->state, virial);
     }

@@ -94,7 +94,7 @@ static int remove_outgoing(struct dem_state *state, const struct dem_outgoing_pa
 
 static int apply_changes(struct dem_state *state, uint32_t *order, size_t stay)
 {
-    if (state->neighbor_lists != DEM_LISTS_NONE)
+    if (state->lists_state != DEM_NEIGHBORS_NONE)
     {
         const int status = dem_wall_statistics_save_forces(state);
 
@@ -108,7 +108,7 @@ static int apply_changes(struct dem_state *state, uint32_t *order, size_t stay)
     }
     state->particles.ghosts = 0;
     DEM_TRY(dem_flows_sum_departures(state));
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     return dem_agree(state, dem_flows_insert(state));
 }
 

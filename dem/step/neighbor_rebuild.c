@@ -245,7 +245,7 @@ static int remove_particles(struct dem_state *state, int weighted, int status)
 
 int dem_neighbor_change_particles(struct dem_state *state)
 {
-    state->neighbor_lists = DEM_LISTS_NONE;
+    state->lists_state = DEM_NEIGHBORS_NONE;
     DEM_TRY(remove_particles(state, 0, DEM_OK));
     return migrate(state, 0, 0);
 }
@@ -334,7 +334,7 @@ static int build_lists(struct dem_state *state, int status)
 int dem_neighbor_rebuild(struct dem_state *state)
 {
     const int rebalance = dem_load_balance_pays(&state->load_balance, &state->decomposition),
-              weighted = rebalance && state->neighbor_lists != DEM_LISTS_NONE;
+              weighted = rebalance && state->lists_state != DEM_NEIGHBORS_NONE;
     dem_clumps_store(&state->clumps, &state->particles);
 
     int status = weighted
@@ -351,7 +351,7 @@ int dem_neighbor_rebuild(struct dem_state *state)
     }
     DEM_TRY(remove_particles(state, weighted, status));
     DEM_TRY(build_lists(state, migrate(state, rebalance, weighted)));
-    state->neighbor_lists = DEM_LISTS_VALID;
+    state->lists_state = DEM_NEIGHBORS_VALID;
     state->rebuilds++;
     return DEM_OK;
 }

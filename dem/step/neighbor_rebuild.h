@@ -16,7 +16,7 @@ int dem_neighbor_rebuild(struct dem_state *);
 int dem_neighbor_prune(struct dem_state *, int rebuilt);
 
 /* Collective, after dem_neighbor_check_particles. Remove and insert the particles that leave and
-   enter in this step, without new lists. The host's lists are not valid afterwards (DEM_LISTS_NONE). */
+   enter in this step, without new lists. The host's lists are not valid afterwards (DEM_NEIGHBORS_NONE). */
 int dem_neighbor_change_particles(struct dem_state *);
 
 /* 1 in a step in which particles that have left the domain are removed. */

@@ -34,7 +34,7 @@ static double used(const struct dem_state *state, enum dem_list list, double fur
 
 int dem_neighbor_agreement_due(const struct dem_state *state, double moved)
 {
-    int due = state->neighbor_lists != DEM_LISTS_VALID || dem_flows_due(state) ||
+    int due = state->lists_state != DEM_NEIGHBORS_VALID || dem_flows_due(state) ||
     (state->domain.remove && dem_neighbor_removal_is_due(state));
 
     for (enum dem_list l = 0; l < DEM_LISTS && !due; l++)
@@ -148,7 +148,7 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
     int changes, expired[DEM_LISTS] = {0, 0};
 
     DEM_TRY(dem_neighbor_check_particles(state, &changes));
-    if (state->neighbor_lists == DEM_LISTS_VALID)
+    if (state->lists_state == DEM_NEIGHBORS_VALID)
     {
         const int both = add_displacements(s, moved, n);
 
@@ -158,7 +158,7 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
         expired[DEM_LIST_INNER] |= both && dem_skins_pays(&s->skins, DEM_LIST_INNER);
     }
     dem_timers_end_phase(state->timers, DEM_PHASE_AGREE);
-    if (state->neighbor_lists != DEM_LISTS_VALID || changes || expired[DEM_LIST_OUTER])
+    if (state->lists_state != DEM_NEIGHBORS_VALID || changes || expired[DEM_LIST_OUTER])
     {
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_AGREE);
         dem_halo_wait(&state->halo);

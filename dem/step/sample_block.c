@@ -93,7 +93,7 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *sta
     DEM_TRY(dem_interaction_table_share(&state->interaction_table, &q->interaction_table));
     q->limits.overlap_limit = 1.0;
     q->max_dt = state->max_dt;
-    q->neighbor_lists = DEM_LISTS_NONE;
+    q->lists_state = DEM_NEIGHBORS_NONE;
     DEM_TRY(dem_decomposition_init(&q->decomposition, MPI_COMM_NULL, 0, 1));
     dem_halo_init(&q->halo, &q->decomposition);
     dem_wall_store_init(&q->wall_store, &q->decomposition);
@@ -104,7 +104,7 @@ int dem_sample_block_make(struct dem_sample *sample, const struct dem_state *sta
     dem_pairs_init(&q->pairs, &q->domain, skin, q->interaction_table.reach, 0.5*d);
     DEM_TRY(dem_wall_search_prepare(&q->pairs.wall_search, &q->walls, 0.5*d));
     DEM_TRY(dem_neighbor_rebuild(q));
-    q->neighbor_lists = DEM_LISTS_VALID;
+    q->lists_state = DEM_NEIGHBORS_VALID;
     return DEM_OK;
 }
 

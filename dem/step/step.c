@@ -146,7 +146,7 @@ static int agree_now(struct dem_state *state, double max[DEM_UNAGREED_STEPS + 1]
    was not needed. */
 static void send_ghosts(struct dem_state *state)
 {
-    if (state->neighbor_lists == DEM_LISTS_VALID)
+    if (state->lists_state == DEM_NEIGHBORS_VALID)
     {
         dem_halo_send(&state->halo, &state->particles, DEM_HALO_NEEDED);
         dem_timers_end_phase(state->timers, DEM_PHASE_REFRESH);

@@ -124,7 +124,7 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
     dem_scalars_begin_window(&state->particles, &state->interaction_table);
     if ((state->particles.ghost_window.n > 0 ||
          dem_column(&state->particles, DEM_COLUMN_ADDED_MASS)) &&
-        state->neighbor_lists == DEM_LISTS_VALID)
+        state->lists_state == DEM_NEIGHBORS_VALID)
     {
         DEM_TRY(dem_halo_refresh_window(&state->halo, &state->particles));
     }

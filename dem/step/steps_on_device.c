@@ -195,7 +195,7 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     if (!dem_device_makes_lists(state->device) &&
         rest_of_lists(state) < FEW_STEPS*max[0]*state->dt)
     {
-        state->neighbor_lists = half_used(state) ? DEM_LISTS_REBUILD : DEM_LISTS_VALID;
+        state->lists_state = half_used(state) ? DEM_NEIGHBORS_REBUILD : DEM_NEIGHBORS_VALID;
         return DEM_OK;
     }
     dem_timers_begin_rare_phase(state->timers, DEM_PHASE_REFRESH);

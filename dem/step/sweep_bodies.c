@@ -340,7 +340,7 @@ static void sweep_batch_with_scalars(struct dem_body_pass *pass, size_t first, i
 }
 
 void dem_bodies_begin_pass(struct dem_body_pass *pass, struct dem_particles *particles,
-                      const struct dem_effect_list *effects, const struct dem_body_sweep *s)
+                           const struct dem_effect_list *effects, const struct dem_body_sweep *s)
 {
     pass->work = !s->contacts    ? DEM_BODIES_KICK
                  : s->sums_first ? DEM_BODIES_SUM

@@ -83,7 +83,7 @@ struct dem_body_pass    /* the same sweep in parts, as far as contact forces are
 /* Begin a pass over the particles; kicks none. The particles, effects and options are only
    referenced: they have to outlive the pass. */
 void dem_bodies_begin_pass(struct dem_body_pass *, struct dem_particles *,
-                      const struct dem_effect_list *effects, const struct dem_body_sweep *);
+                           const struct dem_effect_list *effects, const struct dem_body_sweep *);
 
 /* The work of the pass on the particles up to `end`, in whole batches of DEM_BATCH_ROWS. */
 void dem_bodies_work_until(struct dem_body_pass *, size_t end);

@@ -34,7 +34,7 @@ static void count_work(struct dem_state *state, const struct dem_wall_body_work 
         dem_energy_balance_add(&l->sum[DEM_ENERGY_BALANCE_LOST_WALLS], w->lost);
         /* without rows the work of walls on particles misses this half kick, too */
         dem_energy_balance_add(&l->sum[DEM_ENERGY_BALANCE_WALLS],
-                               state->neighbor_lists == DEM_LISTS_NONE ? 0.0 : w->contacts);
+                               state->lists_state == DEM_NEIGHBORS_NONE ? 0.0 : w->contacts);
     }
 }
 

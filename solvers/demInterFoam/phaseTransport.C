@@ -66,7 +66,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::phaseTransport::unlimitedFlux() const
 }
 
 
-// Through all patches that are no interface between parts of the mesh [m3/s]. Collective.
+// Flux of alpha out of the mesh, through all patches that are not coupled [m3/s]. Collective.
 Foam::scalar Foam::phaseTransport::outflow() const
 {
     scalar sum = 0;

@@ -43,7 +43,7 @@
  * e_max - beta/St with St > 0 (a plus sign and a velocity that is negative on approach return too
  * much); the speed is taken at first contact, see above.
  * Not here: lubrication before contact. It cannot be combined with lubrication: e already contains
- * the loss in the film. Below St = 50 e is far below measured rebounds; lubrication is nearer.
+ * the loss in the film. At St < 50 this law's e is far below measured ones; lubrication is nearer.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -163,7 +163,7 @@ const struct dem_effect dem_stokes_damping = {
     .name = "stokesDamping",
     .short_name = "stokes",
     .summary =
-        "viscous damping in a fluid: restitution e_max exp(-beta/St), St the Stokes number of the impact (short name: stokes)",
+        "viscous damping in a fluid: restitution e_max exp(-beta/St), St the impact's Stokes number (short: stokes)",
     .source = "Legendre, Zenit, Daniel, Guiraud 2006",
     .stage = DEM_STAGE_DAMP,
     .parcels = DEM_PARCELS_SETTINGS,
