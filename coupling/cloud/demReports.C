@@ -91,7 +91,7 @@ Foam::demReports::demReports(demParticles& particles, const demVoidFraction& vol
     volume_(volume),
     record_(particles.mesh().time(), particles.dict().coupling()),
     fields_(particles.mesh(), particles.dict().coupling()),
-    flowTable_(particles.mesh().time()),
+    flowTable_(particles.mesh().time(), particles.dict().coupling()),
     losses_(particles.mesh()),
     bonds_(particles.mesh().time()),
     wearWritten_(false),
@@ -131,7 +131,7 @@ void Foam::demReports::endStep()
     progress_.end(particles_.totals().steps - before.steps);
     edits_.report();
     reportImpacts();
-    flowTable_.report(particles_.core(), false, particles_.time());
+    flowTable_.endStep(particles_.core(), particles_.time());
     reportLosses();
 }
 
@@ -175,6 +175,6 @@ void Foam::demReports::write()
 {
     bonds_.writeVtk(particles_.core());
     writeWear();
-    flowTable_.report(particles_.core(), true, particles_.time());
+    flowTable_.write(particles_.core(), particles_.time());
     writeMeans();
 }

@@ -74,6 +74,12 @@ Foam::demStop::~demStop()
 }
 
 
+bool Foam::demStop::atEnd(const Time& time)
+{
+    return time.value() > time.endTime().value() - 0.5*time.deltaTValue();
+}
+
+
 void Foam::demStop::look(const Time& time)
 {
     if (Pstream::master())

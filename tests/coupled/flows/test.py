@@ -21,6 +21,10 @@ def flow(name, column):
     return table[column][np.array(table["name"]) == name][-1]
 
 
+def same_residence(table):
+    return all(np.array_equal(table[key], residence[key]) for key in ("time", "name", "particles", "mean", "bin0"))
+
+
 def signs(table):
     return np.where(np.array(table["way"]) == "in", 1, -1)
 
@@ -45,7 +49,11 @@ claim("the mass present is that inserted less that removed",
       close(mass.sum(), (signs(table)*table["mass"])[last].sum(), 1e-8))
 claim("with the liquid's velocity", close(flow("feed", "px"), 0.4*flow("feed", "mass"), 1e-8))
 claim("the table names the law of drag", case.names_effects("gidaspow pressureGradient", f"{tables}/flows.csv"))
-claim_tables("the tables", case/tables, "effects", "flows")
+claim_tables("the tables", case/tables, "effects", "flows", "residence")
+residence = case.table(f"{tables}/residence.csv")
+claim("residence.csv has a row at each write time for the outlet that asks", residence["name"] == ["out", "out"])
+claim("its particles are those that left, whose times are below 0.2 s",
+      residence["particles"][-1] == flow("out", "particles") and 0.02 < residence["mean"][-1] < 0.2)
 claim("no particle was lost", not (case/tables/"lost.csv").exists())
 
 # ---- restart from halfway --------------------------------------------------------------------------
@@ -55,7 +63,7 @@ def last_rows(name):
     return [row for row in case.read(name).splitlines() if row.startswith("0.2,")]
 
 
-rows = last_rows(f"{tables}/flows.csv")
+rows, ages = last_rows(f"{tables}/flows.csv"), last_rows(f"{tables}/residence.csv")
 (case/"0.2").rename(case/"straight")
 case.edit("system/controlDict", startFrom="latestTime")
 claim_runs("continues from halfway", case)
@@ -65,6 +73,19 @@ for field in ("positions", "U", "id"):
 for field in ("U", "p", "phi", "voidFraction"):
     claim(f"the same bits after a restart, {field}", agrees(case/"0.2"/field, case/"straight"/field))
 claim("the table continues after the restart", rows and last_rows("postProcessing/dem/0.1/flows.csv") == rows)
+claim("and the residence times", ages and last_rows("postProcessing/dem/0.1/residence.csv") == ages)
+
+# ---- rows at the interval of the record, and at the end --------------------------------------------
+
+case.remove("0.2", "postProcessing")
+case.sub("constant/demProperties", "rho     1000;", r"\g<0> record { interval 0.004; }")
+case.edit("system/controlDict", endTime=0.11)
+claim_runs("from 0.1 s, with a record, to a time that is not written", case)
+claim("flows.csv has rows at multiples of record/interval, and at the end",
+      sorted(set(case.table("postProcessing/dem/0.1/flows.csv")["time"])) == [0.104, 0.108, 0.11])
+claim("residence.csv, too", list(case.table("postProcessing/dem/0.1/residence.csv")["time"]) == [0.104, 0.108, 0.11])
+case.sub("constant/demProperties", "record .*", "")
+case.edit("system/controlDict", endTime=0.2)
 
 # ---- two ranks -------------------------------------------------------------------------------------
 
@@ -75,6 +96,7 @@ claim_runs("runs on two ranks", case, ranks=2)
 again = case.table(f"{tables}/flows.csv")
 claim("the same counts on two ranks",
       all(np.array_equal(again[key], table[key]) for key in ("time", "name", "way", "particles", "waiting")))
+claim("the residence times on two ranks", same_residence(case.table(f"{tables}/residence.csv")))
 claim("the exchange closes on two ranks", worst(case.log(), "exchange error") < 1e-12)
 
 # ---- back through the inlet ------------------------------------------------------------------------
@@ -96,9 +118,29 @@ claim("back through the inlet: the sentence names the patch and the cure",
 claim("back through the inlet: beside the step, which is long, too",
       says(run.log, "above 0.001 .maxParticleCo.; .*outlets { NAME { patch inlet; } }"))
 case.edit("system/controlDict", maxParticleCo=0.5)
-case.sub("constant/demProperties", "out  { patch outlet; }", r"\g<0> back { patch inlet; }")
+case.sub("constant/demProperties", "out  { patch outlet; residence 0.2; }", r"\g<0> back { patch inlet; }")
 claim_runs("where it is an outlet, it runs", case)
 claim("back through the inlet, also an outlet: they are counted", flow("back", "particles") > 0)
+
+# ---- likely mistakes: the plan warns ---------------------------------------------------------------
+
+for what, sentence, name, entry, wrong in (
+        ("a velocity out of the mesh", r"insert/fast: nothing enters through patch inlet, as velocity \(-0.6 0 0\) m/s does "
+         r"not point into the mesh; give one with a component along \(1 0 0\)",
+         "constant/demProperties", r"velocity \(0.6 0 0\)", "velocity (-0.6 0 0)"),
+        # 3e5/s of pi/6 mm3 over 4 cm2 at 0.4 m/s
+        ("more than there is room for", "insert/feed: 0.00015708 m3/s of particles through patch inlet at 0.4 m/s have a "
+         "solid fraction of 0.98[0-9]*, above 0.6, .*; give a rate of at most 1833[0-9]+ 1/s, or a velocity of at least "
+         "0.654[0-9]* m/s", "constant/demProperties", "rate 1500", "rate 3e5"),
+        ("weight out of the inlet", "insert/feed: particles may return to patch inlet, which ends the run: .* add outlets { "
+         "back { patch inlet; } }", "constant/g", r"\(0 0 -9.81\)", "(-500 0 0)")):
+    for file in ("constant/demProperties", "constant/g"):
+        case.copy(here/file, file)
+    claim(f"{what}: not in the case", not says(case.run("demPimpleFoam", "-plan").log, sentence))
+    case.sub(name, entry, wrong)
+    log = case.run("demPimpleFoam", "-plan").log
+    claim(f"{what}: warns", says(log, sentence), log[-2000:])
+case.copy(here/"constant/g", "constant/g")
 
 # ---- slips: the run ends before its first step -----------------------------------------------------
 
