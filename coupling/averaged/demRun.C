@@ -53,6 +53,12 @@ void Foam::demRun::begin()
     Info<< "\nStarting time loop\n" << endl;
     if (!planOnly_)
     {
+        if (demStop::atEnd(time_))
+        {
+            Info<< "Suna: WARNING: no step is made: the run begins at " << time_.timeName()
+                << " s and ends at " << time_.endTime().value() << " s; raise endTime, or begin"
+                << " earlier (startFrom in system/controlDict)" << nl << endl;
+        }
         stop_.reset(new demStop(time_));
     }
 }

@@ -240,7 +240,7 @@ void Foam::demCloud::plan(const demFlow& flow, const demPlan::step& ahead)
     {
         heat_().toParticles();
     }
-    plan_.report(flow.U, ahead);
+    plan_.report(flow, ahead);
 }
 
 

@@ -113,27 +113,33 @@ Foam::scalar Foam::demFluid::uniformDensity
 }
 
 
+bool Foam::demFluid::hasPhases(const fvMesh& mesh)
+{
+    const dictionary* transport = mesh.findObject<dictionary>("transportProperties");
+
+    return transport && transport->found("phases");
+}
+
+
 Foam::scalar Foam::demFluid::largestDensity
 (
     const fvMesh& mesh,
     const dictionary& own
 )
 {
-    const dictionary* transport =
-        mesh.findObject<dictionary>("transportProperties");
-
-    if (!transport || !transport->found("phases"))
+    if (!hasPhases(mesh))
     {
         return uniformDensity(mesh, own);
     }
 
+    const dictionary& transport = mesh.lookupObject<dictionary>("transportProperties");
     scalar largest = 0;
-    for (const word& phase : wordList(transport->lookup("phases")))
+    for (const word& phase : wordList(transport.lookup("phases")))
     {
         largest = max
         (
             largest,
-            dimensionedScalar("rho", dimDensity, transport->subDict(phase)).value()
+            dimensionedScalar("rho", dimDensity, transport.subDict(phase)).value()
         );
     }
     return largest;

@@ -6,6 +6,7 @@
 
 #include "demPlan.H"
 #include "demCheck.H"
+#include "demFluid.H"
 #include "gaussGrad.H"
 
 namespace Foam
@@ -144,8 +145,9 @@ Foam::demPlan::demPlan(const demParticles& particles, const demVoidFraction& vol
 {}
 
 
-void Foam::demPlan::report(const volVectorField& U, const step& fluid)
+void Foam::demPlan::report(const demFlow& flow, const step& fluid)
 {
+    const volVectorField& U = flow.U;
     const Time& time = mesh_.time();
     const char* text = nullptr;
 
@@ -173,7 +175,10 @@ void Foam::demPlan::report(const volVectorField& U, const step& fluid)
     const string throughflow("maxCo, by the inlet's flow through the bed");
     const scalar longest = min(fluid.reached, crossing);
 
-    if (fluid.reached > 0 && mag(longest - ahead.window) > 0.1*ahead.window)
+    // Nothing limits the step in a fluid at rest: it is still growing when the run ends
+    const bool reached = longest < time.endTime().value() - time.value();
+
+    if (fluid.reached > 0 && reached && mag(longest - ahead.window) > 0.1*ahead.window)
     {
         ahead.reached_window = longest;
         ahead.reached_why =
@@ -182,6 +187,12 @@ void Foam::demPlan::report(const volVectorField& U, const step& fluid)
 
     demCheck(dem_plan(particles_.core(), &ahead, &text));
     Info<< nl << text << endl;
+    if (demFluid::hasPhases(mesh_))
+    {
+        Info<< "Two fluids" << nl << "    the regime and the laws are judged in the fluid around the"
+            << " particles now; where they go into the other one, laws that are negligible here"
+            << " may be needed" << nl << endl;
+    }
     reportKernel(bedVoidFraction());
-    warn(U, ahead);
+    warn(flow, ahead);
 }

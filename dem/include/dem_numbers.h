@@ -91,6 +91,20 @@ struct dem_scene_material
 /* Material k, from 0. Returns 0 behind the last. */
 int dem_scene_material(const struct dem *, int k, struct dem_scene_material *);
 
+/* a stream of insert: dem_stream_info */
+struct dem_stream_info
+{
+    const char *name, *patch;           /* patch of the mesh; NULL: none */
+    int by_mass, with_fluid;            /* 1: massRate; velocity of the fluid at the patch */
+    double rate, volume_rate;           /* 1/s or kg/s; m3/s  mean, 0: all at once */
+    double velocity[3], spread[3];      /* m/s */
+    double density;                     /* kg/m3 */
+    double min_diameter, max_diameter;  /* m  of clumps: of the sphere that holds them */
+};
+
+/* Stream k, from 0. Returns 0 behind the last. */
+int dem_stream_info(const struct dem *, int k, struct dem_stream_info *);
+
 /* 0 when particles of some material have no normal law at this wall. */
 int dem_wall_has_law(const struct dem *, int wall);
 

@@ -82,5 +82,7 @@ case.copy(case/"properties", transport)
 claim_runs("-plan ends", case, "demInterFoam", "-plan")
 claim("-plan reports the steps and writes nothing", "Time step" in case.log("demInterFoam") and not case.times(),
       *case.log("demInterFoam").splitlines()[-30:])
+claim("-plan says in which fluid it judges",
+      re.search("^Two fluids\n.* judged in the fluid around the particles now", case.log("demInterFoam"), re.M))
 claim_runs("the case runs without these faults", case, "demInterFoam")
 finish()

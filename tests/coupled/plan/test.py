@@ -77,6 +77,11 @@ claim("the same plan on two ranks", of_the_case(plan(ranks=2)) == of_the_case(fi
 # at rest no Courant number limits the step
 case.edit(control, adjustTimeStep="yes", maxCo=0.5, maxDeltaT=1e-3)
 claim("a limit of the fluid's step is named", "fluid step 0.001 s, set by maxDeltaT" in plan())
+case.edit(control, maxDeltaT=1e30)
+log = plan()
+claim("without maxDeltaT the step of a fluid at rest still grows when the run ends: no limit is named",
+      "fluid step" in log and "it grows to" not in log)
+case.edit(control, maxDeltaT=1e-3)
 
 # one that grows: 1.2 times a step in OpenFOAM, so the first is far from the last
 case.edit(control, deltaT=1e-5)
@@ -188,6 +193,11 @@ claim("a sphere too large for cells and kernel is reported before the run",
 mixed.sub("constant/demProperties", "diameter 1e-3;", "diameter 7e-3;")
 wide = mixed.run("demPimpleFoam", "-plan")
 claim("with the diameter that it names it is not", wide and "minVoidFraction" not in wide.log, *wide.log.splitlines()[-9:])
+
+mixed.edit(control, endTime=0)
+none = mixed.run("demPimpleFoam")
+claim("a run that ends where it begins says that it makes no step",
+      none and re.search("WARNING: no step is made: the run begins at 0 s and ends at 0 s; raise endTime", none.log))
 
 # the same of a function object
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); plan yes; } }\n')
