@@ -1,7 +1,7 @@
 /*
  * aliases.c -- table of Suna's words and the words of other codes for them.
  *
- * The codes are LIGGGHTS, LAMMPS, MFiX, MercuryDPM and the Lagrangian clouds of OpenFOAM. Upper and
+ * The codes are LIGGGHTS, LAMMPS, CFDEMcoupling, MFiX, MercuryDPM and the Lagrangian clouds of OpenFOAM. Upper and
  * lower case are different: E is a modulus and e a restitution. A foreign word may stand in several
  * rows; the caller asks about one word of Suna at a time, so the words that are valid where the
  * foreign word was found decide between the rows.
@@ -50,6 +50,9 @@ static const struct
     {"shape", "clump template", ""},
     {"shapes", "clumps templates", ""},
     {"meanDiameter", "sauter d32 d_32", ""},
+    {"divided", "dividedVoidFraction bigParticle bigParticleVoidFraction", ""},
+    {"particleCentre", "centre center centreVoidFraction", ""},
+    {"gaussian", "Gauss GaussVoidFraction gaussianKernel", ""},
 };
 
 int dem_alias_is_among(const char *words, const char *word)

@@ -77,6 +77,10 @@ slips = [                                             # what, sentence, changes
     ("misspelt setting", "restitution", ("restitution", "restituton")),
     ("misspelt word in coupling", "width", ("width", "widht")),
     ("unknown kernel", "kernel", ("diffusion", "difusion")),
+    *((f"the kernel {other} of another code", f'unknown kernel "?{other}"?; did you mean {own}',
+       ("diffusion", other), ("width.*", ""))
+      for other, own in (("dividedVoidFraction", "divided"), ("bigParticle", "divided"), ("gaussianKernel", "gaussian"),
+                         ("centre", "particleCentre"))),
     ("an unknown base", "base.*linear", ("diffusion;", "diffusion; base linaer;")),
     ("width without smoothing", f"coupling/width {smoothing}", ("diffusion", "linear")),
     ("base without smoothing", f"coupling/base {smoothing}", ("diffusion;", "linear; base linear;"), ("width.*", "")),
