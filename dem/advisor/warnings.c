@@ -10,6 +10,7 @@
 #include <string.h>
 
 static const double min_density = 50.0;        /* kg/m3  below it: a slip of the unit */
+static const double max_diameter = 0.5;        /* m  above it: a slip of the unit */
 static const double max_modulus = 1e10;        /* Pa  softer particles move the same */
 static const double costly_steps = 1e6;        /* of the run */
 static const double costly_window = 1e4;       /* DEM steps in a fluid step */
@@ -172,6 +173,18 @@ static void warn_of_densities(struct list *w)
                 "materials/%s/density is %g kg/m3; the unit is kg/m3, 2500 for glass: change it unless they are that light\n",
                 m.name, m.density);
         }
+    }
+}
+
+static void warn_of_diameters(struct list *w)
+{
+    const double diameter = w->p->scene.max_diameter;
+
+    if (diameter > max_diameter)
+    {
+        begin(w);
+        dem_text_add(w->t, "the largest particle has a diameter of %.4g m; lengths are in m, 1e-3 for 1 mm: change insert unless they "
+                     "are that large\n", diameter);
     }
 }
 
@@ -387,6 +400,7 @@ int dem_warnings_write(struct dem_text *t, const struct dem_plan *p, int n, cons
         warn_of_gravity(&w);
         warn_of_drag(&w);
         warn_of_densities(&w);
+        warn_of_diameters(&w);
         warn_of_biot(&w);
         DEM_TRY(warn_of_impacts(&w));
         warn_of_crossing(&w);

@@ -8,6 +8,7 @@
  *   gravity              absent, or along +y or +z
  *   no drag              a fluid, and no drag law
  *   density              below 50 kg/m3: kg/m3 meant, g/cm3 given?
+ *   diameter             above 0.5 m: m meant, mm given?
  *   Biot number          above 0.1
  *   stiffness            youngsModulus above 1e10 Pa and more than 1e6 steps ahead
  *   fluid step           of more than 1e4 DEM steps: with its time
@@ -17,7 +18,7 @@
  *                        particles: the mesh may be in mm
  *   impact speed         particles, streams, a wall (along its normal) or a fluid with drag faster
  *                        than impactSpeed, where the overlap of such an impact is above 5 % of a
- *                        diameter; above 20 % also slower ones
+ *                        diameter; above 20 % also slower ones; above 100 % at impactSpeed itself
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

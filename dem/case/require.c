@@ -12,7 +12,8 @@ int dem_sim_require_sound(const struct dem *d, const char *call)
 {
     DEM_REQUIRE(!d->failed, DEM_ERROR_STATE, "%s after a dem_advance that failed, which has left "
                 "particles in the middle of a step; go back to the last good state with dem_restore "
-                "(dem_backup_every makes it), or load the last snapshot", call);
+                "(dem_backup_every makes it), or load the last snapshot; in Python: create another "
+                "Simulation(scene, start=\"saved.dem\") from a file of sim.save", call);
     return DEM_OK;
 }
 

@@ -106,6 +106,9 @@ static int choose_step(struct dem *d)
     DEM_REQUIRE(d->step > DBL_MIN, DEM_ERROR_INPUT, "the time step is %g s (%s); check the "
                 "materials, diameters and settings: one of them is unrealistic", d->step,
                 d->scene.step > 0.0 ? "time/step" : r->why);
+    DEM_REQUIRE(d->step < DBL_MAX || dem_sim_max_radius(d) > 0.0, DEM_ERROR_INPUT,
+                "the scene has no particles, so no effect bounds the time step; give a group in insert (in Python "
+                "add_particles before the start, or allow_diameters for those that come later), or time/step");
     DEM_REQUIRE(d->step < DBL_MAX, DEM_ERROR_INPUT,
                 "no effect bounds the time step; give time/step");
     return DEM_OK;

@@ -10,8 +10,10 @@
 #include "step/neighbor_rebuild.h"
 #include <math.h>
 
-/* `flags`: of particles with one of them only; 0: of all. */
-static int refuse(struct dem_state *state, double limit, unsigned flags)
+static const char of_group[] = "place its group by \"inside walls;\", ";
+
+/* `flags`: of particles with one of them only; 0: of all. `cure`: one more, for particles of a group. */
+static int refuse(struct dem_state *state, double limit, unsigned flags, const char *cure)
 {
     struct dem_overlap pair, wall;
 
@@ -19,10 +21,9 @@ static int refuse(struct dem_state *state, double limit, unsigned flags)
     DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
-                "start, the limit is %g; move it, place its group by \"inside walls;\", or raise "
-                "time/maxStartOverlap",
+                "start, the limit is %g; move it, %sor raise time/maxStartOverlap",
                 (long long)wall.id, wall.x[0], wall.x[1], wall.x[2],
-                state->walls.wall[wall.partner].name, wall.fraction, limit);
+                state->walls.wall[wall.partner].name, wall.fraction, limit, cure);
     DEM_REQUIRE(pair.fraction <= limit, DEM_ERROR_INPUT,
                 "particles %lld and %lld at (%g %g %g) m overlap by %.3g of a diameter at the "
                 "start, the limit is %g; move them apart, or raise time/maxStartOverlap",
@@ -33,7 +34,7 @@ static int refuse(struct dem_state *state, double limit, unsigned flags)
 
 int dem_sim_refuse_overlap(struct dem *d)
 {
-    return refuse(&d->state, d->scene.max_start_overlap, 0);
+    return refuse(&d->state, d->scene.max_start_overlap, 0, of_group);
 }
 
 /* A snapshot that was made in other walls may overlap the walls of this run. A soft bed that
@@ -92,9 +93,14 @@ static int measure_overlap(struct dem *d)
     return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
 }
 
+static int refuse_inserted_overlap(struct dem *d)
+{
+    return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW, of_group);
+}
+
 int dem_sim_refuse_new_overlap(struct dem *d)
 {
-    return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW);
+    return refuse(&d->state, d->scene.max_start_overlap, DEM_PARTICLE_NEW, "");
 }
 
 int dem_sim_check_inserted(struct dem_case *c)
@@ -105,7 +111,7 @@ int dem_sim_check_inserted(struct dem_case *c)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_sim_with_lists(c->d, dem_sim_refuse_new_overlap));
+    DEM_TRY(dem_sim_with_lists(c->d, refuse_inserted_overlap));
     for (size_t i = 0; i < p->n; i++)
     {
         p->record[i].flags &= (uint16_t)~DEM_PARTICLE_NEW;

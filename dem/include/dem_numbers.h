@@ -110,8 +110,8 @@ int dem_wall_has_law(const struct dem *, int wall);
 
 /* Collective. Lines on impacts faster than impactSpeed that overlap by more than 5 % of a diameter,
    or by more than 20 % at any speed: of the fastest particle, the fastest wall, streams, and
-   particles in a fluid of this speed [m/s]. "" without any. Valid until the next call of this
-   thread. */
+   particles in a fluid of this speed [m/s]; without any, of impactSpeed itself, by more than 100 %.
+   "" if there is nothing to say. Valid until the next call of this thread. */
 int dem_impact_text(struct dem *, double fluid_speed, const char **text);
 
 /* Collective. Lines on free walls and hinges that are too light for the step on the contacts to be expected, of at most

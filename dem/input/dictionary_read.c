@@ -103,7 +103,7 @@ static int read_directive(struct dem_reader *r, struct dem_dict *d, const struct
 int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened)
 {
     const char *file = r->scan.file;
-    const int block = ++r->blocks;
+    const int block = ++d->pool->blocks;
     struct dem_token t;
 
     DEM_REQUIRE(++r->depth <= DEM_DICT_MAX_DEPTH, DEM_ERROR_INPUT,
@@ -239,7 +239,7 @@ static int path_step(struct dem_dict_pool *pool, const char *step, size_t length
 
 int dem_dict_set(struct dem_dict *d, const char *path, const char *value)
 {
-    struct dem_reader r = {.blocks = 1};
+    struct dem_reader r = {.depth = 0};
     struct dem_token name, end;
     const char *file, *at = path;
     char *text;
@@ -259,7 +259,8 @@ int dem_dict_set(struct dem_dict *d, const char *path, const char *value)
     memcpy(text, value, strlen(value));
     memcpy(text + strlen(value), " ;", 3);
     dem_dict_scan_start(&r.scan, text, strlen(text), file, d->pool);
-    DEM_TRY(read_entry(&r, d, &name, r.blocks));
+    /* braces of its own: a value that is set again is meant */
+    DEM_TRY(read_entry(&r, d, &name, ++d->pool->blocks));
     DEM_TRY(dem_dict_scan(&r.scan, &end));
     DEM_TRY(dem_dict_is_sign(&end, ';') ? dem_dict_scan(&r.scan, &end) : DEM_OK);
     DEM_REQUIRE(end.kind == DEM_TOKEN_END, DEM_ERROR_INPUT,

@@ -75,6 +75,7 @@ struct dem_dict_pool
     size_t used, capacity;  /* of the chunk [byte] */
     size_t copies;          /* made by macros so far */
     size_t files, bytes;    /* included so far */
+    int blocks;             /* braces opened so far, and files */
     bool failed;            /* there was no memory for a chunk */
 };
 
@@ -169,7 +170,6 @@ struct dem_reader
     struct dem_scan scan;
     int depth;  /* of dictionaries */
     int includes;
-    int blocks;  /* braces opened so far, and files */
     bool may_include;
 };
 int dem_dict_read_entries(struct dem_reader *r, struct dem_dict *d, int opened);

@@ -24,6 +24,7 @@
 static const double max_overlap = 0.05;
 
 static const double far_overlap = 0.2;         /* reported also below impactSpeed */
+static const double too_soft = 1.0;            /* reported at impactSpeed, though nothing moves yet */
 static const double margin = 1.01;             /* of numbers that were printed with three digits */
 static const double reported = 0.1;            /* of a diameter: reported during the run */
 
@@ -54,6 +55,7 @@ static double overlap_of(const struct dem_effect_entry *entry, const struct dem_
     return at*time/c*pow(speed/at, 2.0/(p + 1.0))/diameter;
 }
 
+/* speed < 0: each law at its impactSpeed */
 static void impact_at(const struct dem_interaction_table *r, double speed, struct impact *m)
 {
     *m = (struct impact){.law = NULL};
@@ -68,7 +70,8 @@ static void impact_at(const struct dem_interaction_table *r, double speed, struc
             {
                 continue;
             }
-            const double overlap = overlap_of(entry, &r->list[c].pair, speed);
+            const double at = speed < 0.0 ? setting(entry, "impactSpeed") : speed;
+            const double overlap = overlap_of(entry, &r->list[c].pair, at);
 
             if (!m->law || overlap > m->overlap)
             {
@@ -194,6 +197,20 @@ static void add_line(const struct dem *d, const char *what, const char *name, do
     dem_text_free(&end);
 }
 
+/* A modulus in GPa is seen at no speed when the scene begins at rest. */
+static void add_at_impact_speed(const struct dem *d, struct dem_text *t)
+{
+    struct impact m;
+
+    impact_at(&d->state.interaction_table, -1.0, &m);
+    if (m.law && m.overlap > too_soft)
+    {
+        dem_text_add(t, "effects/%s/impactSpeed is ", m.law->name);
+        (void)describe(&m, m.impact_speed, t);
+        dem_text_add(t, ", or a lower impactSpeed if nothing moves as fast\n");
+    }
+}
+
 static int has_drag(const struct dem_interaction_table *r)
 {
     int drag = 0;
@@ -229,6 +246,10 @@ int dem_impact_text(struct dem *d, double fluid_speed, const char **text)
     if (has_drag(&d->state.interaction_table))
     {
         add_line(d, "the fluid", "", fluid_speed, &t);
+    }
+    if (!t.text)
+    {
+        add_at_impact_speed(d, &t);
     }
     *text = t.text ? t.text : "";
     return t.status ? t.status : dem_collect_status(&d->state.decomposition);

@@ -152,6 +152,10 @@ static void write_required(struct dem_text *t, const struct dem_effect_entry *li
         if (f->kind == DEM_SETTING_NUMBER && isnan(f->default_value))
         {
             dem_text_add(t, ", ");
+            if (link->effect->stage == DEM_STAGE_MOMENT)
+            {
+                dem_text_add(t, "%s ", link->effect->name);    /* rolling and sliding both have a friction */
+            }
             write_value(t, f, link->settings);
         }
     }

@@ -204,7 +204,8 @@ class Core:
 
     def advance(self, duration, progress, every, forces=()):
         """dem_advance. An exception of progress, or of a function that gives forces, ends it after a
-        step, on all ranks, and is raised here; after one of the latter all is as before."""
+        step, on all ranks, and is raised here. With functions that give forces all is as before after one
+        of theirs, and after a failure on all ranks, which a force that is not a number causes."""
         fault, force_failed = None, False
 
         def report(_, time, steps):
@@ -245,8 +246,10 @@ class Core:
             if self._comm is not None and lib.dem_ranks_agree(d):
                 # it may have been set on one rank in the last step, which the core does not tell others
                 reason = max(self._comm.allgather(reason))
-            if reason == FORCE_RAISED and back:
-                check(lib.dem_restore(d, ffi.new("double *")))
+            if back and (reason == FORCE_RAISED or status and lib.dem_ranks_agree(d)):
+                at = ffi.new("double *")
+                check(lib.dem_restore(d, at))
+                message += f"; the simulation is back at time {at[0]:.9g} s, before this advance"
         if fault is not None:
             try:
                 raise fault

@@ -206,6 +206,9 @@ def tables(case: File) -> dict[str, Any]:
                 table = pandas.concat([kept, table], ignore_index=True)
                 table.attrs = attrs
             found[path.stem] = table
+    if not found:
+        raise FileError(f"{case}: no tables in its postProcessing/dem; give the folder of a coupled case that has run; "
+                        "read_table reads a table of dem run")
     return found
 
 

@@ -29,6 +29,10 @@ def _kind(pointer):
         re.match(r"(\w+)", ffi.typeof(pointer).item.cname)[0]])
 
 
+def _brief(value):
+    return f"an array of shape {value.shape}" if isinstance(value, numpy.ndarray) else repr(value)[:40]
+
+
 def column(pointer, n, width=1, stride=None):
     """Numbers of the library as a read-only array, n or n x width: a copy."""
     kind = _kind(pointer)
@@ -145,7 +149,11 @@ class Forces:
 
     def ask(self, function):
         """Call the function and add what it gives."""
-        function(self)
+        answer = function(self)
+        if answer is not None and all(answer is not value for value in self._given.values()):
+            name = getattr(function, "__name__", function)
+            raise SunaError(f"the force {name} returned {_brief(answer)}; a returned value does not act: add to p.force "
+                            "instead, as in p.force += F, and return nothing")
         for name, value in self._given.items():
             if len(self):
                 numpy.frombuffer(ffi.buffer(self._to[name], 24*len(self)))[:] += value.ravel()

@@ -139,8 +139,9 @@ class Simulation(Editing, Output):
                 p.force -= 0.1*p.position
 
         It is called on each rank in each step, after the particles have moved, and at the begin of an
-        advance, with suna.Forces. What it gives must depend on each particle alone for the same bits on
-        any ranks. An exception ends the advance on all ranks and puts back the state before it."""
+        advance, with suna.Forces; it returns nothing. What it adds must depend on each particle alone for
+        the same bits on any ranks. An exception, or a failure of the run, ends the advance on all ranks and
+        puts back the state before it."""
         if not callable(function):
             raise SunaError(f"the force is {function!r}; give a function of the particles")
         self._core_()
@@ -330,7 +331,8 @@ class Simulation(Editing, Output):
         if not self._core.started:
             return "Simulation(not set up)"
         t = self.totals
-        return (f"Simulation({t['particles']} particles, {len(self.walls)} walls, "
+        counts = ((t["particles"], "particle"), (len(self.walls), "wall"))
+        return ("Simulation(" + "".join(f"{n} {what}{'s' if n != 1 else ''}, " for n, what in counts) +
                 f"t = {t['time']:.6g} s, {' '.join(self.effects)})")
 
 

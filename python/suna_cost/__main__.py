@@ -10,6 +10,7 @@ from types import SimpleNamespace
 
 from suna.command import Refused, command, read_options
 
+from .best_buy import UNTOUCHED
 from .options import fraction, levels, make_folder, number, whole, words
 from .report import report
 from .scene import ON_REQUEST, SERIES, UNITS, Alone, SceneStudy, Together
@@ -118,6 +119,8 @@ def main(arguments):
         make_folder(options.folder)
     study = work.study()
     study.folder = options.folder
+    if options.search and study.untouched:
+        raise Refused(f"-target: {UNTOUCHED}")
     if options.search:
         why = search(work, study)
     else:

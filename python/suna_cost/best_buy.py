@@ -123,7 +123,12 @@ def choose(study):
                         series.levels[0])
 
 
+UNTOUCHED = "no contact happened in this window; take a longer -window, or -restart from a settled state"
+
+
 def best_buy(study):
+    if study.untouched:
+        return "none; " + UNTOUCHED
     first = study.series[0] if study.series else None
     if first and first.parameter == "effects":
         return effects(study, first)

@@ -99,6 +99,7 @@ class SceneStudy:
         self.choose_quantities(sim)
         self.closed = {q: x for q, x in closed_forms(sim, self.impact).items() if q in self.units}
         self.ended_in_contact = False       # a run, in which an impact is not over
+        self.touched = False                # bodies, in one of the runs
         self.acting = sim.effects
         self.find_moduli(sim)
         self.find_friction(sim)
@@ -194,6 +195,7 @@ class SceneStudy:
                                        for wall in sim.walls.values()])
                 sim.reset_impulses()
         self.ended_in_contact |= totals["contacts"] > 0
+        self.touched |= sums["overlap"] > 0 or sums["contacts"] > 0
         values = {q: x/self.samples for q, x in sums.items() if q in self.units}
         if with_walls:
             values["force"] = force
@@ -354,7 +356,8 @@ class SceneStudy:
             series.append(self.parcels())
         closed = {} if self.ended_in_contact else self.closed
         study = Study("scene", "", self.window, o.target, self.units, runs=o.runs, limit=self.limit,
-                      closed=closed, series=series)
+                      closed=closed, series=series,
+                      untouched=not self.touched and any(law in self.acting for law in NORMAL))
         study.find_scale = self.find_scale(study)
         study.title = (
             f"cost of {self.scene}: a window of {self.window:.4g} s from {self.start:.4g} s on, of "

@@ -84,6 +84,7 @@ class Study:
     closed: dict = field(default_factory=dict)          # exact values by quantity
     scale: dict = field(default_factory=dict)           # of errors, in the quantity's unit
     series: list = field(default_factory=list)
+    untouched: bool = False         # a contact law acts, but no contact happened in any run
     # scale of a quantity for a reference, where `scale` has none
     find_scale: object = staticmethod(lambda quantity, reference: abs(reference))
 

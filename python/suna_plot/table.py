@@ -13,8 +13,8 @@ from .style import COLOURS, panels, save
 HELP = """Usage: dem plot [-x COLUMN] [-y COLUMN,...] [-file PICTURE] TABLE ...
 
 Draws tables: energy.csv, walls.csv, flows.csv, budget.csv, averages, and the cost.csv of dem cost and
-demCost. Columns of one unit share a panel; a column of words, such as the name of a wall, makes a line
-for each word. Several tables with the same columns are drawn together, for comparison.
+demCost. Columns of one unit share a panel, up to 12 lines; a column of words, such as the name of a wall,
+makes a line for each word. Several tables with the same columns are drawn together, for comparison.
 
     -x COLUMN        default: the first column
     -y COLUMN,...    default: all columns of numbers that change
@@ -69,12 +69,21 @@ def series(columns, across):
 
 
 def lines(path, columns, across, chosen, several):
-    """Unit, label, x and y of each line of a table."""
+    """Unit, column, label, x and y of each line of a table."""
     for name in chosen:
         for label, rows in series(columns, across):
             where = str(Path(path).parent) if several else ""
-            text = ", ".join(filter(None, (name.split("[")[0].strip(), label, where)))
-            yield unit(name), text, [columns[across][k] for k in rows], [columns[name][k] for k in rows]
+            column = name.split("[")[0].strip()
+            text = ", ".join(filter(None, (column, label, where)))
+            yield unit(name), column, text, [columns[across][k] for k in rows], [columns[name][k] for k in rows]
+
+
+def split(found):
+    """Unit, column and lines of each panel: of a unit, or of each column where a unit has too many lines."""
+    for own, drawn in found.items():
+        columns = dict.fromkeys(line[0] for line in drawn) if len(drawn) > MOST else [None]
+        for column in columns:
+            yield own, column, [line for name, *line in drawn if column in (None, name)]
 
 
 def draw(tables, x, y, file):
@@ -92,16 +101,18 @@ def draw(tables, x, y, file):
             found.setdefault(own, []).append(line)
     if not found:
         raise Refused("no column of numbers changes; name some by -y")
-    figure, places = panels(len(found), None, 3.6, across=3)
-    for axes, (own, drawn) in zip(places, found.items()):
+    pictures = list(split(found))
+    figure, places = panels(len(pictures), None, 3.6, across=3)
+    for axes, (own, column, drawn) in zip(places, pictures):
         if len(drawn) > MOST:
-            raise Refused(f"{len(drawn)} lines in {own or 'pure numbers'}, more than the {MOST} that can be told "
-                          f"apart; choose columns by -y: {', '.join(dict.fromkeys(d[0] for d in drawn))}")
+            raise Refused(f"column {column} has {len(drawn)} lines, more than the {MOST} that can be told apart; choose "
+                          "other columns by -y, or draw some of the lines in Python (suna.read_table)")
         looks = itertools.product(("-", "--"), COLOURS)
         for (label, at, values), (dashes, colour) in zip(drawn, looks):
             axes.plot(at, values, dashes, color=colour, label=label)
         axes.set(xlabel=across.replace("[", " [") if "[" in across else across,
-                 ylabel=f"[{own}]" if len(drawn) > 1 and own else drawn[0][0] + (f" [{own}]" if own else ""))
+                 ylabel=f"[{own}]" if len(drawn) > 1 and own and not column
+                 else (column or drawn[0][0]) + (f" [{own}]" if own else ""))
         axes.ticklabel_format(scilimits=(-2, 4))
         if len(drawn) > 1:
             axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)

@@ -171,7 +171,7 @@ def refusals():
     before = sim.hash
     top = sim.position[numpy.argmax(sim.position[:, 2])]
     refused(lambda: sim.add(top + [0, 0, 2e-4], 1e-3, "glass"), "overlap")
-    refused(lambda: sim.add([0.0039, 0, 0.03], 1e-3, "glass"), "overlaps wall box")
+    refused(lambda: sim.add([0.0039, 0, 0.03], 1e-3, "glass"), "overlaps wall box", "move it, or raise")
     refused(lambda: sim.add([0, 0, 1], 1e-3, "glass"), "outside the domain")
     refused(lambda: sim.add([0, 0, 0.1], 2e-3, "glass"), "0.002", "0.001", "allow_diameters")
     refused(lambda: sim.add([0, 0, 0.1], 1e-3, "steel"), "steel", "allow_diameters")
@@ -387,6 +387,9 @@ def entries():
         refused(lambda: sim.change(entries))
     refused(lambda: sim.change("x"), "dict")
     assert sim.hash == state
+    for friction in (0.1, 0.2, 0.0):
+        sim.change({"effects/mindlin/friction": friction})
+    assert float(sim.value("effects/mindlin/friction")) == 0 and "given again" not in sim.warnings(1.0)
     sim.change({"walls/floor": {"type": "plane", "material": "steel", "point": (0, 0, 0), "normal": (0, 0, 1)},
                 "insert/more": {"type": "lattice", "count": 9, "diameter": 2e-3, "spacing": 1.5, "material": "glass",
                                 "min": (0.02, 0.02, 0.1), "max": (0.04, 0.04, 0.11)}})
@@ -452,7 +455,7 @@ def forces():
 
 
 def force_faults():
-    """an exception of a force puts back the state before the advance; it sees copies only"""
+    """an exception of a force, or a failure, puts back the state before the advance; it sees copies only"""
     sim, trap = trapped()
     sim.advance(0.01)
     before, time, kept = sim.hash, sim.time, []
@@ -475,7 +478,9 @@ def force_faults():
     other.advance(0.01)
     assert sim.hash == other.hash
     for call, words in ((lambda p: p.position.__setitem__(0, 1), "read-only"), (lambda p: sim.position, "advancing"),
-                        (lambda p: setattr(p, "force", [1, 2]), "force has the shape")):
+                        (lambda p: setattr(p, "force", [1, 2]), "force has the shape"),
+                        (lambda p: 0*p.position, "returned an array of shape (2, 3)"),
+                        (len, "returned 2; a returned value does not act")):
         sim.add_force(call)
         try:
             sim.advance(1e-3)
@@ -483,8 +488,14 @@ def force_faults():
         except (suna.SunaError, ValueError) as error:
             assert words in str(error), error
         sim.remove_force(call)
+    time, state = sim.time, sim.hash
     sim.add_force(lambda p: setattr(p, "force", numpy.nan))
-    refused(lambda: sim.advance(1e-3), "not a number")
+    refused(lambda: sim.advance(1e-3), "not a number", f"back at time {time:.9g} s")
+    assert sim.hash == state and sim.time == time
+    sim.remove_force(sim._forces[-1])
+    sim.advance(1e-3)
+    other.advance(1e-3)
+    assert sim.hash == other.hash
 
 
 def until():

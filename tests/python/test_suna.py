@@ -133,6 +133,11 @@ def files():
         raise AssertionError("a short file was read")
     except suna.FileError as error:
         assert "100 bytes" in str(error)
+    try:
+        suna.tables(".")
+        raise AssertionError("there are no tables")
+    except suna.FileError as error:
+        assert "postProcessing/dem" in str(error) and "read_table" in str(error)
 
 
 def program():
@@ -230,7 +235,7 @@ def plots():
     sim = suna.Simulation(SCENE)
     axes = sim.plot()
     assert len(axes.collections[0].get_offsets()) == 300
-    assert "300 particles" in repr(sim) and "hertz" in repr(sim)
+    assert "300 particles, 1 wall, " in repr(sim) and "hertz" in repr(sim)
     assert "effects" in sim.plan(1.0).lower()
 
 
