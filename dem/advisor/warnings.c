@@ -157,10 +157,11 @@ static void warn_of_drag(struct list *w)
     }
 }
 
-/* ---- materials ------------------------------------------------------------------------------- */
+/* ---- units ----------------------------------------------------------------------------------- */
 
-static void warn_of_densities(struct list *w)
+static void warn_of_units(struct list *w)
 {
+    const double diameter = w->p->scene.max_diameter;
     struct dem_scene_material m;
 
     for (int k = 0; dem_scene_material(w->p->d, k, &m); k++)
@@ -174,12 +175,6 @@ static void warn_of_densities(struct list *w)
                 m.name, m.density);
         }
     }
-}
-
-static void warn_of_diameters(struct list *w)
-{
-    const double diameter = w->p->scene.max_diameter;
-
     if (diameter > max_diameter)
     {
         begin(w);
@@ -187,6 +182,8 @@ static void warn_of_diameters(struct list *w)
                      "are that large\n", diameter);
     }
 }
+
+/* ---- stiffness ------------------------------------------------------------------------------- */
 
 /* s: processor time of a particle and step. Collective at its first call. */
 static int measure(struct list *w)
@@ -357,19 +354,11 @@ static void warn_of_biot(struct list *w)
     if (most.number > DEM_BIOT_LIMIT)
     {
         begin(w);
-        dem_text_add(w->t, "the Biot number of %s ", most.material);
-        if (most.other)
-        {
-            dem_text_add(w->t, "in contact with %s", most.other);
-        }
-        else
-        {
-            dem_text_add(w->t, "in the fluid");
-        }
         dem_text_add(
             w->t,
-            " is %.2g, above %g: a particle has one temperature here, but heat spreads in it too slowly for that (materials/%s/"
-            "conductivity %g W/(m K)); temperatures lag behind\n",
+            "the Biot number of %s %s%s is %.2g, above %g: a particle has one temperature here, but heat spreads in it too "
+            "slowly for that (materials/%s/conductivity %g W/(m K)); temperatures lag behind\n",
+            most.material, most.other ? "in contact with " : "in the fluid", most.other ? most.other : "",
             most.number, DEM_BIOT_LIMIT, most.material, most.conductivity);
     }
 }
@@ -399,8 +388,7 @@ int dem_warnings_write(struct dem_text *t, const struct dem_plan *p, int n, cons
         DEM_TRY(warn_of_bodies(&w));
         warn_of_gravity(&w);
         warn_of_drag(&w);
-        warn_of_densities(&w);
-        warn_of_diameters(&w);
+        warn_of_units(&w);
         warn_of_biot(&w);
         DEM_TRY(warn_of_impacts(&w));
         warn_of_crossing(&w);

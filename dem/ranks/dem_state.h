@@ -97,7 +97,7 @@ struct dem_progress
     double seconds, last;
 };
 
-/* whether the neighbor lists are those of the present particles */
+/* are the neighbor lists up to date? */
 enum dem_neighbors_state
 {
     DEM_NEIGHBORS_VALID,

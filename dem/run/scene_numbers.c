@@ -248,6 +248,33 @@ int dem_scene_material(const struct dem *d, int k, struct dem_scene_material *m)
     return 1;
 }
 
+int dem_stream_info(const struct dem *d, int k, struct dem_stream_info *info)
+{
+    const struct dem_streams *const all = &d->scene.streams;
+
+    if (k < 0 || k >= all->streams)
+    {
+        return 0;
+    }
+    const struct dem_stream *const s = &all->stream[k];
+    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    const double density = r->material[s->material].density,
+                 mass_rate = s->by_mass ? s->rate : s->rate*dem_stream_mean_mass(s, r);
+
+    *info = (struct dem_stream_info){.name = s->name,
+                                     .patch = s->inlet.patch,
+                                     .by_mass = s->by_mass,
+                                     .with_fluid = s->with_fluid,
+                                     .rate = s->rate,
+                                     .volume_rate = s->at_once ? 0.0 : mass_rate/density,
+                                     .density = density,
+                                     .min_diameter = s->sizes.min,
+                                     .max_diameter = s->sizes.max};
+    memcpy(info->velocity, s->velocity, sizeof info->velocity);
+    memcpy(info->spread, s->spread, sizeof info->spread);
+    return 1;
+}
+
 int dem_wall_has_law(const struct dem *d, int wall)
 {
     const struct dem_walls *const w = &d->state.walls;
