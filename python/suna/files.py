@@ -195,6 +195,9 @@ def tables(case: File) -> dict[str, Any]:
     import pandas
     found: dict[str, Any] = {}
     folders = sorted(Path(case).glob("postProcessing/dem/*"), key=lambda path: float(path.name))
+    if not folders:
+        raise FileError(f"{case}: no folder in its postProcessing/dem; give the folder of a coupled case that has run; "
+                        "read_table reads a table of dem run")
     for folder in folders:
         for path in folder.glob("*.csv"):
             if path.name == "effects.csv":
@@ -206,9 +209,6 @@ def tables(case: File) -> dict[str, Any]:
                 table = pandas.concat([kept, table], ignore_index=True)
                 table.attrs = attrs
             found[path.stem] = table
-    if not found:
-        raise FileError(f"{case}: no tables in its postProcessing/dem; give the folder of a coupled case that has run; "
-                        "read_table reads a table of dem run")
     return found
 
 
