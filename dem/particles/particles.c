@@ -139,6 +139,7 @@ int dem_particles_copy(struct dem_particles *p, const struct dem_particles *from
     DEM_TRY(DEM_RESIZE(p->record, p->capacity, capacity));
     memcpy(p->record, from->record, from->n*sizeof *p->record);
     p->columns = from->columns;
+    p->batch = from->batch;
     for (int c = 0; c < p->columns; c++)
     {
         struct dem_column *const to = &p->column[c];
