@@ -130,7 +130,7 @@ for what, sentence, name, entry, wrong in (
          "constant/demProperties", r"velocity \(0.6 0 0\)", "velocity (-0.6 0 0)"),
         # 3e5/s of pi/6 mm3 over 4 cm2 at 0.4 m/s
         ("more than there is room for", "insert/feed: 0.00015708 m3/s of particles through patch inlet at 0.4 m/s have a "
-         "solid fraction of 0.98[0-9]*, above 0.5, .*; give a rate of at most 9167[0-9] 1/s, or a velocity of at least "
+         "solid fraction of 0.98[0-9]*, above 0.5, .*; give a rate of at most 9167[0-9.]+ 1/s, or a velocity of at least "
          "1.30[0-9]* m/s", "constant/demProperties", "rate 1500", "rate 3e5"),
         ("weight out of the inlet", "insert/feed: particles may return to patch inlet, which ends the run: .* add outlets { "
          "back { patch inlet; } }", "constant/g", r"\(0 0 -9.81\)", "(-500 0 0)")):
