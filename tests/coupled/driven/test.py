@@ -1,6 +1,7 @@
 """A periodic flow driven by meanVelocityForce: particles feel its pressure gradient, too.
 
 - Through a fixed bed the gradient is Gidaspow's, and the particles carry all of it.
+  Its budget has all of the driving force among the sources.
 - In a laminar channel a sphere that feels the pressure gradient but not the viscous stress moves faster than the
   fluid by d^2 g/(18 nu); a sphere that feels both moves with the fluid.
 - A restart continues with the same bits.
@@ -36,12 +37,18 @@ for field, wall in (("U", "slip"), ("p", "zeroGradient")):
     case.sub(f"0/{field}", "sides {.*", f"sides {{ type {wall}; }}")
 case.edit("0/U", internalField="uniform (0 0 0.494560)")
 case.edit("system/controlDict", endTime=0.1, writeInterval=0.05, writePrecision=17)
+case.sub("constant/demProperties", "kernel  diffusion;", r"\g<0> record { interval 0.001; budget yes; }")
 drive(case, "(0 0 0.494560)")
 case.run("blockMesh")
 claim_runs("bed: runs", case)
 claim("bed: the driving gradient is the closure's (0.1 %)",
       close(1.2*driving_gradient(case), gidaspow_gradient(lattice_void), 0.001))
 claim("bed: exchange closes", worst(case.log(), "exchange error") < 1e-12)
+# on fluid and particles together, in 0.1 s
+terms = {name: column[-1] for name, column in case.table("postProcessing/dem/0/budget.csv").items()
+         if name.endswith(".pz")}
+claim("bed: the driving force is among the sources of the budget, nothing is lost between faces and cells",
+      abs(terms["faces.pz"]) < 1e-12*abs(terms["sources.pz"]) > 0, terms)
 (case/"0.1").rename(case/"straight")
 case.edit("system/controlDict", startFrom="latestTime")
 case.run("demPimpleFoam")
