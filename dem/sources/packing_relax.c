@@ -36,6 +36,8 @@ enum
     SWEEPS = 2000,
     CHUNK = 512,          /* pairs tested before those that are near are moved */
     RETRY_SWEEPS = 200,   /* sweeps before a sphere between fixed ones gets a new position */
+    LATE_RETRY_SWEEPS = 25,  /* the same, after a quarter of the sweeps */
+    LAST_SWEEPS = 200,    /* without new positions */
     FIRST_TRIAL = 64      /* of new positions: packing_addition.c uses the trials before */
 };
 
@@ -274,11 +276,12 @@ static void move_one(const struct relaxation *g, struct dem_particle *s, const s
     }
 }
 
-/* Move all spheres and zero the displacements; one that overlaps fixed spheres for long gets a new random position. Returns
-   the largest displacement since the pairs were listed, of all ranks [m]. */
+/* Move all spheres and zero the displacements; one that overlaps fixed spheres for long gets a new
+   random position. Returns the largest displacement since the pairs were listed, of all ranks [m]. */
 static double move_all(struct relaxation *g)
 {
-    const int again = g->sweep%RETRY_SWEEPS == RETRY_SWEEPS - 1;
+    const uint64_t every = g->sweep < SWEEPS/4 ? RETRY_SWEEPS : LATE_RETRY_SWEEPS;
+    const int again = g->sweep%every == every - 1 && g->sweep < SWEEPS - LAST_SWEEPS;
     double furthest = 0.0;
 
     for (size_t i = 0; i < g->s->particles.n; i++)

@@ -268,6 +268,21 @@ static void test_regions(void)
            (long long)got.n);
 }
 
+/* Some spheres of the second group start wedged between spheres of the first, which stay. */
+static void test_between(void)
+{
+    const char *const cylinder = "cylinder { from (0 0 0.025); to (0 0 0.11); radius 0.012; }";
+
+    for (int seed = 1; seed <= 5; seed += 4)
+    {
+        insert(world_text("first { type random; diameter 2.5e-3; mass 0.012; seed %d; %s }"
+                          "second { type random; diameter 1.8e-3; mass 0.012; seed %d; %s }",
+                          seed, cylinder, seed, cylinder));
+        TAP_OK(got.n > 2100 && overlap(587) <= 0.0,
+               "spheres fill between as many grams of larger ones, seed %d", seed);
+    }
+}
+
 /* ---- neighbors ------------------------------------------------------------------------------- */
 
 struct shell
@@ -405,6 +420,7 @@ int main(void)
     test_table();
     test_amounts();
     test_regions();
+    test_between();
     test_dilute();
     test_dense();
     test_settled();
