@@ -52,6 +52,14 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
 
 void Foam::demDict::checkCoupling() const
 {
+    // of CFDEMcoupling; no entry here has its meaning
+    if (coupling_.found("couplingInterval"))
+    {
+        FatalIOErrorInFunction(coupling_)
+            << "coupling: unknown entry \"couplingInterval\"; fluid and particles exchange forces in each"
+            << " step of the fluid, deltaT of system/controlDict" << exit(FatalIOError);
+    }
+
     demCheckEntries
     (
         coupling_,

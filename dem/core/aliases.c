@@ -53,6 +53,12 @@ static const struct
     {"divided", "dividedVoidFraction bigParticle bigParticleVoidFraction", ""},
     {"particleCentre", "centre center centreVoidFraction", ""},
     {"gaussian", "Gauss GaussVoidFraction gaussianKernel", ""},
+    {"linear", "trilinear", ""},
+    {"kernel", "voidFractionModel voidfractionModel", ""},
+    {"equations", "modelType", ""},
+    {"II", "A modelA", ", model A"},
+    {"I", "Bfull modelBfull", ", model Bfull"},
+    {"III", "B modelB", ", model B"},
 };
 
 int dem_alias_is_among(const char *words, const char *word)
