@@ -59,26 +59,31 @@ Foam::scalar Foam::demPlan::crossSection() const
 }
 
 
-// Fluid that enters against gravity [m3/s]
-Foam::scalar Foam::demPlan::inflow(const volVectorField& U) const
+// Fluid that enters against gravity [m3/s]. `varies`: 1 where a patch's condition may
+// change it with time.
+Foam::scalar Foam::demPlan::inflow(const volVectorField& U, int& varies) const
 {
     const vector& down = particles_.gravity();
     scalar flow = 0;
+    label changing = 0;
 
     forAll(U.boundaryField(), patchi)
     {
         const fvPatchVectorField& velocity = U.boundaryField()[patchi];
         const scalarField& e = volume_.voidFractionForFluid().boundaryField()[patchi];
         const vectorField& area = velocity.patch().Sf();
+        const label may = velocity.type() != "fixedValue";
 
         forAll(velocity, facei)
         {
             if (!velocity.coupled() && (velocity[facei] & down) < 0)
             {
+                changing = max(changing, may);
                 flow += e[facei]*max(-(velocity[facei] & area[facei]), scalar(0));
             }
         }
     }
+    varies = returnReduce(changing, maxOp<label>());
     return returnReduce(flow, sumOp<scalar>())/transfer_.fraction();
 }
 
@@ -157,7 +162,8 @@ void Foam::demPlan::report(const demFlow& flow, const step& fluid)
         (time.endTime().value() - time.value())/time.deltaTValue()*ahead.window;
     ahead.why = fluid.limit.c_str();
     ahead.cross_section = crossSection();
-    ahead.inflow = ahead.cross_section > 0 ? inflow(U)/ahead.cross_section : 0;
+    ahead.inflow =
+        ahead.cross_section > 0 ? inflow(U, ahead.inflow_varies)/ahead.cross_section : 0;
     ahead.volume = gSum(mesh_.V().field())/transfer_.fraction();
     ahead.cell = cbrt(gMin(mesh_.V().field()));
     ahead.speed = gMax(mag(U.primitiveField()));

@@ -13,7 +13,10 @@
 #include "OSspecific.H"
 #include "wallFvPatch.H"
 #include "dem_numbers.h"
+#include <algorithm>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace Foam
 {
@@ -185,6 +188,61 @@ void Foam::demPlan::overfullWarning(DynamicList<string>& warnings) const
 }
 
 
+// Baffles as createBaffles makes them: both sides have the same points, and kernels with weights at
+// points reach from one to the other. Two sides on different ranks are not seen. Collective.
+void Foam::demPlan::baffleWarning(DynamicList<string>& warnings) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    labelList sides(patches.nNonProcessor(), Zero);
+    std::vector<std::pair<std::vector<label>, label>> faces;
+
+    forAll(patches, patchi)
+    {
+        for (const face& f : static_cast<const faceList::subList&>(patches[patchi]))
+        {
+            std::vector<label> points(f.begin(), f.end());
+            std::sort(points.begin(), points.end());
+            faces.emplace_back(std::move(points), patchi);
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+
+    for (size_t from = 0, to = 0; from < faces.size(); from = to)
+    {
+        bool passes = false;
+
+        for (; to < faces.size() && faces[to].first == faces[from].first; ++to)
+        {
+            passes = passes || patches[faces[to].second].coupled();
+        }
+        for (size_t k = from; k < to && to > from + 1 && !passes; ++k)
+        {
+            sides[faces[k].second]++;
+        }
+    }
+
+    string names;
+    label n = 0;
+    forAll(sides, patchi)
+    {
+        reduce(sides[patchi], sumOp<label>());
+        if (sides[patchi] > 0)
+        {
+            names += (n ? ", " : "") + patches[patchi].name();
+            n += sides[patchi];
+        }
+    }
+    if (n)
+    {
+        warnings.append
+        (
+            "patch " + names + ": both sides of a baffle share their points (" + name(n/2) + " faces), so"
+            " kernels reach through it; run mergeOrSplitBaffles -split -overwrite"
+        );
+    }
+}
+
+
 // Files that the run, or decomposePar, does not read as the user expects
 void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
 {
@@ -234,6 +292,7 @@ void Foam::demPlan::warn(const demFlow& flow, struct ::dem_run_info& ahead) cons
     streamWarnings(flow, own);
     ownWakeWarning(own);
     overfullWarning(own);
+    baffleWarning(own);
     filesWarnings(own);
     List<const char*> sentences(own.size());
     const char* text = nullptr;

@@ -73,7 +73,8 @@ static void write_expansion(struct dem_text *t, const struct dem_plan *p,
     const double U = p->run.inflow, e = dem_suspension_expanded_void_fraction(p->d, b, packed, U);
     const double measured = dem_suspension_richardson_zaki(b, U);
 
-    dem_text_add(t, "    the inlet's %.4g m/s (superficial) ", U);
+    dem_text_add(t, "    the inlet's %.4g m/s %s ", U,
+                 p->run.inflow_varies ? "at the start (superficial)" : "(superficial)");
     if (e <= 0.0)
     {
         dem_text_add(t, "is below the value of %s: the bed stays packed\n", law);

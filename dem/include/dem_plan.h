@@ -41,6 +41,7 @@ struct dem_run_info
     double patch_speed;       /* m/s  largest speed of the fluid on a patch */
     double resolution;        /* m  length that a particle should not cross in half a window: the
                                  smallest cell, or half the kernel's width */
+    int inflow_varies;        /* 1: `inflow` is the start's and may change with time */
 };
 
 /* Collective; in coupled runs after the fluid columns have been written. A report on the run ahead:

@@ -243,7 +243,11 @@ static void test_expansion(void)
              0.06*fabs(100.0*((1.0 - measured)/(1.0 - e) - 1.0)),
              "the difference in height, two digits");
     text = plan(w, &(struct dem_run_info){.duration = 1.0, .inflow = 1e-3});
-    TAP_OK(strstr(text, "the bed stays packed"), "a bed below minimum fluidisation");
+    TAP_OK(strstr(text, "the inlet's 0.001 m/s (superficial) is below ")
+           && strstr(text, "the bed stays packed"), "a bed below minimum fluidisation");
+    text = plan(w, &(struct dem_run_info){.duration = 1.0, .inflow = 1e-3, .inflow_varies = 1});
+    TAP_OK(strstr(text, "the inlet's 0.001 m/s at the start (superficial) is below "),
+           "a velocity that may change is the start's");
     text = plan(w, &(struct dem_run_info){.duration = 1.0, .inflow = 1.0});
     TAP_OK(strstr(text, "are carried along"), "particles above their terminal velocity");
     dem_free(w);

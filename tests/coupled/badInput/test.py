@@ -80,7 +80,12 @@ slips = [                                             # what, sentence, changes
     *((f"the kernel {other} of another code", f'unknown kernel "?{other}"?; did you mean {own}',
        ("diffusion", other), ("width.*", ""))
       for other, own in (("dividedVoidFraction", "divided"), ("bigParticle", "divided"), ("gaussianKernel", "gaussian"),
-                         ("centre", "particleCentre"))),
+                         ("centre", "particleCentre"), ("trilinear", "linear"))),
+    *((f"the entry {other} of another code", f'unknown entry "{other}"; did you mean {own}\\?',
+       coupling(f"{other} some;"))
+      for other, own in (("voidfractionModel", "kernel"), ("voidFractionModel", "kernel"), ("modelType", "equations"))),
+    ("the entry couplingInterval of another code", 'unknown entry "couplingInterval"; .*deltaT of system/controlDict',
+     coupling("couplingInterval 50;")),
     ("an unknown base", "base.*linear", ("diffusion;", "diffusion; base linaer;")),
     ("width without smoothing", f"coupling/width {smoothing}", ("diffusion", "linear")),
     ("base without smoothing", f"coupling/base {smoothing}", ("diffusion;", "linear; base linear;"), ("width.*", "")),
@@ -107,6 +112,8 @@ slips = [                                             # what, sentence, changes
     ("clumps with added mass", "shapes: .*virtualMass acts on single spheres", ("pressureGradient {}", r"\g<0> virtualMass {}"),
      before("insert", "shapes { pair { spheres ((0 0 0 1e-4) (1e-4 0 0 1e-4)); } }")),
     ("an unknown set of equations", 'unknown equations "?IV', coupling("equations IV;")),
+    *((f"model {other} of another code", f'unknown equations "{other}"; did you mean {own}, model {other}\\?',
+       coupling(f"equations {other};")) for other, own in (("A", "II"), ("Bfull", "I"), ("B", "III"))),
     ("equations of a fluid that feels nothing", "equations says how the fluid feels.*twoWay no",
      coupling("equations II; twoWay no;")),
     *((f"{effect} in set III", f"Equations III hold.*{effect}", ("pressureGradient {}", rf"\g<0> {effect} {{}}"),
@@ -201,6 +208,30 @@ for scheme in ("backward", "CrankNicolson 0.9"):
     case.sub("system/fvSchemes", rf"\b{scheme};", "Euler;")
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
 refused("the solver's particles and a function object's", case, "has particles already")
+
+# ---- a shelf, both sides of which have the same points -----------------------------------------------
+
+case = Case("baffle", "hydrostatic")
+case.edit(control, endTime=0.001, writeInterval=1)
+case.sub(scene, "count 1500", "count 100")
+case.sub(scene, r"max \(0.02 0.02 0.02\)", "max (0.02 0.02 0.007)")
+case.dictionary("system/createBafflesDict", """internalFacesOnly true;
+baffles { shelf { type searchableSurface; surface plate; origin (0 0 0.008); span (0.012 0.02 0);
+                  patches { master { name shelf; type wall; } slave { name shelf; type wall; } } } }""")
+case.run("blockMesh")
+(case/"0").rename(case/"0.held")                       # createBaffles rewrites its fields
+case.run("createBaffles", "-overwrite")
+case.remove("0")
+(case/"0.held").rename(case/"0")
+for field in "Up":
+    case.sub(f"0/{field}", "^ *walls ", '"(walls|shelf)" ')
+shared = re.compile(r"patch shelf: both sides of a baffle share their points \(15 faces\).*mergeOrSplitBaffles -split")
+run = case.run("demPimpleFoam", "-plan")
+claim("a baffle whose sides share their points is reported", run and shared.search(run.log),
+      *run.log.splitlines()[-12:])
+case.run("mergeOrSplitBaffles", "-split", "-overwrite")
+run = case.run("demPimpleFoam", "-plan")
+claim("and not after mergeOrSplitBaffles", run and "both sides" not in run.log, *run.log.splitlines()[-12:])
 
 # ---- the function object ---------------------------------------------------------------------------
 

@@ -125,6 +125,11 @@ claim("the void fraction of the bed", close(planned(log, "for a bed of void frac
 claim("which is its own", "of the particles as they are" in log)
 claim("the velocity at which the fluid enters", close(planned(log, "the inlet's"), 0.002, 1e-6))
 claim("and what Richardson and Zaki make of it", "by Richardson and Zaki (1954)" in log)
+fixed = case.read("0/U")
+case.sub("0/U", "bottom {.*", "bottom { type uniformFixedValue; uniformValue table ((0 (0 0 0.002)) (1 (0 0 0.01))); }")
+claim("a velocity that may change is the start's", "the inlet's 0.002 m/s at the start (superficial) " in plan()
+      and "the inlet's 0.002 m/s (superficial) " in log)
+case.write("0/U", fixed)
 
 # ---- no files, the schemes of the run ---------------------------------------------------------------
 
