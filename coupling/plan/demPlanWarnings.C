@@ -13,6 +13,7 @@
 #include "OSspecific.H"
 #include "wallFvPatch.H"
 #include "dem_numbers.h"
+#include <sstream>
 
 namespace Foam
 {
