@@ -5,7 +5,8 @@
     read_snapshot   the state: particles, columns, contacts with history
     read_record     particles.bin of a coupled run
     read_cloud      lagrangian fields of a time folder of OpenFOAM, ascii or binary
-    tables, times   all tables, and the time folders, of a coupled case
+    tables          all tables of a coupled case, or of a folder of dem run
+    times           time folders of a coupled case
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -190,17 +191,20 @@ def times(case: File) -> list[tuple[float, Path]]:
 
 
 def tables(case: File) -> dict[str, Any]:
-    """CSV tables of a coupled case by name; the rows of all starts, a later start replaces what an
-    earlier one has from its time on."""
+    """CSV tables by name of a coupled case, or of a folder that dem run writes (without its
+    particles_*.csv). Of a case the rows of all starts: a later start replaces what an earlier one
+    has from its time on."""
     import pandas
     found: dict[str, Any] = {}
     folders = sorted(Path(case).glob("postProcessing/dem/*"), key=lambda path: float(path.name))
+    if not folders and Path(case, "effects.csv").exists():
+        folders = [Path(case)]
     if not folders:
-        raise FileError(f"{case}: no folder in its postProcessing/dem; give the folder of a coupled case that has run; "
-                        "read_table reads a table of dem run")
+        raise FileError(f"{case}: no folder in its postProcessing/dem, and no effects.csv; give the folder of a "
+                        "coupled case that has run, or a folder of dem run with tables")
     for folder in folders:
         for path in folder.glob("*.csv"):
-            if path.name == "effects.csv":
+            if path.name == "effects.csv" or re.fullmatch(r"particles_\d+\.csv", path.name):
                 continue
             table, earlier = read_table(path), found.get(path.stem)
             if earlier is not None and "time" in table:
