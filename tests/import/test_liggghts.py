@@ -484,6 +484,30 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
              "no file nothing.stl")
 
 
+def missing_files():
+    """a file that is missing is one fault: lines that use what it defines have none of their own"""
+    lines = """region tets mesh/tet file none.vtk scale 1 move 0 0 0 rotate 0 0 0 units box
+region both union 2 box tets
+fix s all mesh/surface/stress file none.stl type 1 scale 2
+fix turn all move/mesh mesh s linear 0 0 1
+fix_modify turn integrate stop
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes s
+fix out all massflow/mesh mesh s vec_side 0 0 1 delete_atoms yes count once
+group g region tets
+fix push all addforce 0 0 1
+"""
+    insert = PACK.replace("region box", "region both") + """fix stream all insert/stream seed 32452867 &
+    distributiontemplate pdd nparticles 10 particlerate 100 overlapcheck yes vel constant 0 0 -1 &
+    insertion_face s extrude_length 0.01
+fix drag all viscous 1e-6
+"""
+    script = BASE.replace("fix z0", "# fix z0").replace(PACK, lines + insert).replace(RUN, RUN + "unfix w\n" + RUN)
+    for text, count in ((script, 2), (script.replace("fix push all", "fix push g"), 2),
+                        (script.replace("fix s all", "fix t all"), 6)):
+        found = refused(text, "no file none.vtk", "no file none.stl").splitlines()
+        assert len(found) == count, found
+
+
 def names():
     """each entry of a scene has its own name, whatever the fixes of the script are called"""
     mix = """fix p1 all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.0005
@@ -947,9 +971,8 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # centre of mass [m] in LIGGGHTS 3.8.0 (Debian 3.8.0+repack1-9), 24 November 2026, `liggghts -var seed SEED -in cup.in`
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
-TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls, names, belt,
-         other_meanings, lost_output, series,
-         restart_files, insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
+TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls,
+         missing_files, names, belt, other_meanings, lost_output, series, restart_files, insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, stored, conduction]
 
 
