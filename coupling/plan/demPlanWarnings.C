@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demPlan.H"
+#include "cyclicAMIPolyPatch.H"
 #include "demFiles.H"
 #include "demCheck.H"
 #include "demFluid.H"
@@ -145,6 +146,44 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 }
 
 
+// Faces of sliding interfaces that the other side covers in part, which OpenFOAM takes with
+// lowWeightCorrection. Collective.
+void Foam::demPlan::interfaceWarning(DynamicList<string>& warnings) const
+{
+    const scalar whole = 0.9;    // below it, curved sides of different faces apart
+    label n = 0;
+    label all = 0;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<cyclicAMIPolyPatch>(patch))
+        {
+            const cyclicAMIPolyPatch& own = refCast<const cyclicAMIPolyPatch>(patch);
+            const scalarField& covered =
+                own.owner() ? own.AMI().srcWeightsSum() : own.neighbPatch().AMI().tgtWeightsSum();
+
+            all += covered.size();
+            for (const scalar part : covered)
+            {
+                n += part < whole;
+            }
+        }
+    }
+    reduce(n, sumOp<label>());
+    reduce(all, sumOp<label>());
+    if (n)
+    {
+        warnings.append
+        (
+            "the other side covers less than 90 % of " + name(n) + " of " + name(all)
+          + " faces of cyclicAMI patches: fluid and particles do not pass them alike, and a"
+            " particle that reaches a face without any cover ends the run; extend both zones so"
+            " that their interfaces cover each other"
+        );
+    }
+}
+
+
 // A particle that is in its own wake is too fast. Collective.
 void Foam::demPlan::ownWakeWarning(DynamicList<string>& warnings) const
 {
@@ -230,6 +269,7 @@ void Foam::demPlan::warn(const demFlow& flow, struct ::dem_run_info& ahead) cons
     inletWarnings(U, own);
     timeSchemeWarning(own);
     openPatchWarning(own);
+    interfaceWarning(own);
     streamWarnings(flow, own);
     ownWakeWarning(own);
     overfullWarning(own);
