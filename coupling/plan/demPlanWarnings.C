@@ -10,6 +10,7 @@
 #include "demCheck.H"
 #include "demFluid.H"
 #include "demOwnWake.H"
+#include "demSnapshot.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "wallFvPatch.H"
@@ -235,6 +236,22 @@ void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
     const word method(decomposition.getOrDefault<word>("method", word::null));
     DynamicList<string> found;
 
+    // FOLDER/snapshot.dem is of FOLDER.dem. A copied case has new dates, less than a minute apart
+    const fileName snapshot(demSnapshot::exists(time) ? fileName() : particles_.dict().snapshot());
+    const fileName scene(snapshot.path() + ".dem");
+    if
+    (
+        snapshot.name() == "snapshot.dem" && isFile(snapshot, false) && isFile(scene, false)
+     && lastModified(scene) > lastModified(snapshot) + 60
+    )
+    {
+        found.append
+        (
+            time.relativePath(scene) + " is newer than " + time.relativePath(snapshot)
+          + ", with whose particles the run begins: if it has changed, run it again by dem run "
+          + scene.name()
+        );
+    }
     for (const fileName& region : readDir(constant, fileName::DIRECTORY))
     {
         if (isFile(constant/region/demDict::name(), false))
