@@ -74,7 +74,7 @@ def read_vtp(path: File) -> dict[str, Any]:
     raw = Path(path).read_bytes()
     head, found, data = raw.partition(b"<AppendedData")
     if not found:
-        raise FileError(f"{path}: no appended data; not a file of Suna")
+        raise FileError(f"{path}: no appended data; not a .vtp file of Suna")
     data = data[data.index(b"_") + 1:]
     columns = {}
     for tag in re.findall(rb"<DataArray [^>]*>", head):
@@ -255,7 +255,8 @@ def _positions(path, n, at, binary, body):
     at = body.index(b"(", at)
     rows = numpy.frombuffer(body, entry, n, at)
     if not (rows["open"] == b"(").all():
-        raise FileError(f"{path}: not {n} positions with a cell of 32 bits each")
+        raise FileError(f"{path}: not {n} positions, each with a cell label of 32 bits; damaged, or of a "
+                        "build with other labels")
     return rows["x"]
 
 
@@ -264,6 +265,6 @@ def read_cloud(folder: File) -> dict[str, Any]:
     """Fields of the particles in a time folder by name; `positions` are n x 3 [m]."""
     clouds = sorted(Path(folder).glob("lagrangian/*/positions"))
     if len(clouds) != 1:
-        raise FileError(f"{folder}: {len(clouds)} clouds under lagrangian, one is wanted")
+        raise FileError(f"{folder} has {len(clouds)} clouds in lagrangian; give a time folder with one")
     return {path.name: _foam_list(path) for path in sorted(clouds[0].parent.iterdir())
             if path.name not in ("coordinates",)}

@@ -136,7 +136,8 @@ class SceneMaker(Laws, Walls, Groups, Times):
                 chosen = self.state["groups"].get(group, ())
                 if len(chosen) == 0:
                     self.lacks(place, f"fix {name}",
-                               f"group {group} has no particles that the script names")
+                               f"group {group} has no particles of create_atoms or read_data; a force on chosen "
+                               "particles needs their ids")
                 ids = f"ids ({' '.join(map(str, chosen))}); "
             self.scene.named("forces", as_name(name), f"{ids}{kind} {vector(values)};", place)
 

@@ -687,7 +687,7 @@ def kernels():
     s = numpy.linalg.solve(matrix, (x == 0).astype(float))
     assert abs((s*x**2).sum()/s.sum()/(width**2/2) - 1) < 1e-3
     refuses("smoothingModel", "known are", coupling={"smoothingModel off": "smoothingModel magic"})
-    refuses("dividedProps", "another volume", coupling={"alphaMin 0.3;": "alphaMin 0.3; weight 2;"})
+    refuses("dividedProps", "scales the volumes", coupling={"alphaMin 0.3;": "alphaMin 0.3; weight 2;"})
     refuses("dividedProps", "does not know", coupling={"alphaMin 0.3;": "alphaMin 0.3; moon 2;"})
 
 
