@@ -14,8 +14,9 @@ cross-correlation of its two pictures, less their means, is largest, to a fracti
 speed is the magnitude of the mean velocity over the instants; windows without beads do not count.
 
 A bead is a ball lit from the camera and hides those behind it; light falls by e within 8 mm of
-depth. The quarter is mirrored at its planes of symmetry. Noise, blur and the pattern of light on
-the beads are left out.
+depth. A quarter is mirrored at its planes of symmetry; of a whole bed the halves are seen one after
+the other, from the front and from the back. Noise, blur and the pattern of light on the beads are
+left out.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -88,15 +89,25 @@ def displacement(pair, x, z, side, passes):
     return found
 
 
+def views(position, velocity):
+    """Positions and velocities with the camera at y = 0 and the half to be seen at positive x."""
+    planes = numpy.array([0, DEPTH, 0])
+    if position[:, 1].max() < 0.6*DEPTH:
+        for mirror in ((-1, 1, 1), (1, -1, 1)):
+            position = numpy.concatenate([position, position*mirror + (planes if mirror[1] < 0 else 0)])
+            velocity = numpy.concatenate([velocity, velocity*mirror])
+        return [(position, velocity)]
+    return [(position*(side, face, 1) + (planes if face < 0 else 0), velocity*(side, face, 1))
+            for side in (1, -1) for face in (1, -1)]
+
+
 def velocities(position, velocity, diameter, height, interval, window, passes):
     """Along x and z [m/s] at the points, of one instant."""
     side = round(window/PIXEL)
     low = numpy.array([-MARGIN, height - MARGIN])
-    near = (abs(position[:, 2] - height) < 2*MARGIN) & (position[:, 0] < POINTS[-1] + 2*MARGIN)
+    near = ((abs(position[:, 2] - height) < 2*MARGIN) & (position[:, 0] > -2*MARGIN)
+            & (position[:, 0] < POINTS[-1] + 2*MARGIN))
     position, velocity = position[near], velocity[near]
-    for mirror, plane in (((-1, 1, 1), (0, 0, 0)), ((1, -1, 1), (0, DEPTH, 0))):
-        position = numpy.concatenate([position, position*mirror + plane])
-        velocity = numpy.concatenate([velocity, velocity*mirror])
     shape = (round(2*MARGIN/PIXEL), round((POINTS[-1] + 2*MARGIN)/PIXEL))
     pair = [picture(place, diameter, low, shape)
             for place in (position, position + velocity*interval)]
@@ -111,7 +122,8 @@ def check():
     position = random.random((3000, 3))*[0.09, 0.02, 0.06]
     given = numpy.array([0.2, 0.1, 0.7])
     alike = numpy.tile(given, (len(position), 1))
-    found = velocities(position, alike, 2.5e-3, 0.03, 3e-3, 14e-3, passes=3)
+    (view,) = views(position, alike)
+    found = velocities(*view, 2.5e-3, 0.03, 3e-3, 14e-3, passes=3)
     return abs(found[1:] - given[::2]).max()        # beside the first is the mirror image
 
 
@@ -140,9 +152,9 @@ def main():
         rows = []
         for place in chosen:
             position, velocity, diameter = evaluate.frames.read_frame(*place)
-            rows.append(velocities(position, velocity, diameter[0], share*evaluate.AT_REST,
-                                   1e-3*words.interval, 1e-3*words.window,
-                                   words.passes))
+            rows.append(numpy.nanmean([velocities(*view, diameter[0], share*evaluate.AT_REST,
+                                                  1e-3*words.interval, 1e-3*words.window, words.passes)
+                                       for view in views(position, velocity)], axis=0))
         rows = numpy.array(rows)
         speed, half = averages.jackknife(
             lambda some, rows=rows: numpy.hypot(*numpy.nanmean(rows[some], axis=0).T),

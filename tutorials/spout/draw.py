@@ -32,14 +32,14 @@ def draw_speeds(case, shares, centres, profiles, measured):
 
 
 def draw_bed(case, run):
-    """The quarter and its mirror image at the plane x = 0."""
+    """A quarter with its mirror image at the plane x = 0, or the whole bed."""
     listed = frames.list_frames(run)
     panels = []
     for time, *place in listed[-1 - APART*(SHOWN - 1)::APART]:
         position, velocity, diameter = frames.read_frame(*place)
-        mirror = numpy.array([-1, 1, 1])
-        panels.append(render.Panel(f"{time:.2f} s", numpy.concatenate([position*mirror, position]),
-                                   numpy.concatenate([velocity*mirror, velocity]),
-                                   numpy.tile(diameter, 2)))
-    edges = render.box((-0.14, 0, 0), (0.14, 0.02, 0.35))
+        if position[:, 0].min() > 0:
+            mirror = numpy.array([-1, 1, 1])
+            position, velocity = (numpy.concatenate([of*mirror, of]) for of in (position, velocity))
+        panels.append(render.Panel(f"{time:.2f} s", position, velocity, numpy.full(len(position), diameter[0])))
+    edges = render.box((-0.14, 0, 0), (0.14, position[:, 1].max(), 0.35))
     render.draw(case/"bed.png", panels, edges, "vertical", 1)

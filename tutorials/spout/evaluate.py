@@ -9,8 +9,9 @@ Writes result.csv, speed.png, bed.png.
 At six heights above the bottom, in units of the bed at rest, 200 mm:
   speed     magnitude of the mean velocity (x and z) of the beads, by number, in boxes 7 mm wide
             from the middle and 8 mm high. The measured speed has minima where the mean velocity
-            changes sign, beside the spout, so it is of the mean, too
-  measured  mean of the points at the left and at the right, as the run is a quarter of the bed
+            changes sign, beside the spout, so it is of the mean, too. In a run of the whole bed the
+            left half is mirrored first
+  measured  mean of the points at the left and at the right
 Bounds and their reasons:
   beads     none is lost
   exchange  1e-12, an identity
@@ -48,9 +49,9 @@ def measured(share):
 def sums(position, velocity, height):
     """Number of beads and sums of their velocities along x and z in each box of this height."""
     inside = abs(position[:, 2] - height) < HALF
-    x = position[inside, 0]
-    return numpy.array([numpy.histogram(x, EDGES, weights=weight)[0]
-                        for weight in (numpy.ones(len(x)), *velocity[inside][:, (0, 2)].T)])
+    x, (along, up) = position[inside, 0], velocity[inside][:, (0, 2)].T
+    return numpy.array([numpy.histogram(abs(x), EDGES, weights=weight)[0]
+                        for weight in (numpy.ones(len(x)), numpy.sign(x)*along, up)])
 
 
 def profile(rows, blocks):
