@@ -662,7 +662,7 @@ def equations():
         assert ("viscousStress" in d.sub("effects")) == (model != "B")
     result = cfdem_case(coupling={"    gradPForce\n": "", "    Archimedes\n": ""})
     assert "pressureGradient" in result.d.sub("effects") and result.has(APPROXIMATED, "with buoyancy")
-    refuses("modelType", "without averaged equations", coupling={"modelType A": "modelType none"})
+    refuses("modelType", "has no averaged equations", coupling={"modelType A": "modelType none"})
     refuses("modelType", "A, B, Bfull", coupling={"modelType A": "modelType C"})
 
 
