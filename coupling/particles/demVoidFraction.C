@@ -31,7 +31,7 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
     ),
     solidSuperficialVelocity_
     (
-        demFieldAt(mesh_, "dem:solidFlux"),
+        demFieldAt(mesh_, "dem:solidSuperficialVelocity"),
         mesh_,
         dimensionedVector(dimVelocity, Zero),
         wordList(mesh_.boundary().size(), "zeroGradient")

@@ -1,5 +1,5 @@
 /*---------------------------------------------------------------------------*\
-    demPlanStreams.C -- streams through patches that cannot enter, or return.
+    demPlanStreams.C -- streams through patches that cannot enter, are too dense, or may return.
 
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
@@ -12,8 +12,9 @@
 namespace Foam
 {
 
-// Solid fraction of a loose packing: no stream of particles is denser
-static const scalar densest = 0.6;
+// Solid fractions at a face: random free positions fill it to no more than the first, depending on the
+// path in a step; to the second in any case
+static const scalar most = 0.5, sure = 0.3;
 
 
 static std::string vectorText(const vector& v)
@@ -99,16 +100,16 @@ void Foam::demPlan::streamWarnings(const demFlow& flow, DynamicList<string>& war
         }
 
         const scalar fraction = inflow > 0 ? s.volume_rate/inflow : 0;
-        if (lasts && fraction > densest)
+        if (lasts && fraction > most)
         {
             const scalar speed = inflow/gSum((magSf*pos(-(velocity & Sf)))());
             std::ostringstream text;
             text<< entry << ": " << s.volume_rate << " m3/s of particles through patch " << s.patch
                 << " at " << speed << " m/s have a solid fraction of " << fraction << ", above "
-                << densest << ", so not all find free space; give "
+                << most << ", so not all find free space; give "
                 << (s.by_mass ? "a massRate" : "a rate") << " of at most "
-                << s.rate*densest/fraction << (s.by_mass ? " kg/s" : " 1/s")
-                << ", or a velocity of at least " << speed*fraction/densest << " m/s";
+                << s.rate*sure/fraction << (s.by_mass ? " kg/s" : " 1/s")
+                << ", or a velocity of at least " << speed*fraction/sure << " m/s";
             warnings.append(text.str());
         }
 

@@ -15,6 +15,7 @@
 #include "OSspecific.H"
 #include "wallFvPatch.H"
 #include "dem_numbers.h"
+#include <sstream>
 
 namespace Foam
 {

@@ -152,8 +152,8 @@ static void warn_of_drag(struct list *w)
         begin(w);
         dem_text_add(
             w->t,
-            "a fluid, and no drag: particles do not feel its flow; add a drag law to effects, gidaspow {} or diFelice {} "
-            "for example (`dem effects` lists them)\n");
+            "a fluid, and no drag: particles do not feel its flow; add a drag law to effects, gidaspow {} or "
+            "diFelice {} for example (`dem effects` lists them)\n");
     }
 }
 
@@ -161,9 +161,15 @@ static void warn_of_drag(struct list *w)
 
 static void warn_of_units(struct list *w)
 {
-    const double diameter = w->p->scene.max_diameter;
+    const double ratio = w->p->scene.max_parcel_ratio;
+    double diameter = ratio > 0.0 ? w->p->scene.max_diameter/ratio : w->p->scene.max_diameter;
     struct dem_scene_material m;
+    struct dem_stream_info s;
 
+    for (int k = 0; dem_stream_info(w->p->d, k, &s); k++)
+    {
+        diameter = fmax(diameter, s.max_diameter);
+    }
     for (int k = 0; dem_scene_material(w->p->d, k, &m); k++)
     {
         if (m.present && m.density < min_density)
@@ -171,15 +177,19 @@ static void warn_of_units(struct list *w)
             begin(w);
             dem_text_add(
                 w->t,
-                "materials/%s/density is %g kg/m3; the unit is kg/m3, 2500 for glass: change it unless they are that light\n",
+                "materials/%s/density is %g kg/m3; the unit is kg/m3, 2500 for glass: change it unless they are that "
+                "light\n",
                 m.name, m.density);
         }
     }
     if (diameter > max_diameter)
     {
         begin(w);
-        dem_text_add(w->t, "the largest particle has a diameter of %.4g m; lengths are in m, 1e-3 for 1 mm: change insert unless they "
-                     "are that large\n", diameter);
+        dem_text_add(
+            w->t,
+            "the largest particle has a diameter of %.4g m; lengths are in m, 1e-3 for 1 mm: change insert unless "
+            "they are that large\n",
+            diameter);
     }
 }
 
@@ -318,9 +328,10 @@ static void warn_of_cells(struct list *w)
     {
         begin(w);
         dem_text_add(
-            w->t, "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells "
-            "become too full, and without ownWake each particle feels mainly its own wake; take kernel diffusion with width 3 in "
-            "coupling, or cells of two diameters\n",
+            w->t,
+            "the smallest cell, %.3g m, or half the kernel's width, is less than 3/4 of a particle of %.3g m: cells "
+            "become too full, and without ownWake each particle feels mainly its own wake; take kernel diffusion "
+            "with width 3 in coupling, or cells of two diameters\n",
             run->cell, d);
     }
     else if (d > 0.0 && run->cell > max_cell*d)
@@ -356,8 +367,8 @@ static void warn_of_biot(struct list *w)
         begin(w);
         dem_text_add(
             w->t,
-            "the Biot number of %s %s%s is %.2g, above %g: a particle has one temperature here, but heat spreads in it too "
-            "slowly for that (materials/%s/conductivity %g W/(m K)); temperatures lag behind\n",
+            "the Biot number of %s %s%s is %.2g, above %g: a particle has one temperature here, but heat spreads in it "
+            "too slowly for that (materials/%s/conductivity %g W/(m K)); temperatures lag behind\n",
             most.material, most.other ? "in contact with " : "in the fluid", most.other ? most.other : "",
             most.number, DEM_BIOT_LIMIT, most.material, most.conductivity);
     }

@@ -302,7 +302,8 @@ void dem_start_overlap(const struct dem *, struct dem_start_overlap *);
 int dem_backup_every(struct dem *, int64_t steps);
 
 /* Collective. Go back to the last backup, of time *time [s], also after a failed dem_advance;
-   then query, save or advance. Averages keep what they have sampled. */
+   then query, save or advance. Impulses on walls and the energy balance go back, too, and go on but for
+   the work of moving walls in the first half step; averages keep what they have sampled. */
 int dem_restore(struct dem *, double *time);
 
 /* 1 unless the last dem_advance failed on one rank only. Failures of the physics (a number that

@@ -99,7 +99,7 @@ struct dem_stream_info
     double rate, volume_rate;           /* 1/s or kg/s; m3/s  mean, 0: all at once */
     double velocity[3], spread[3];      /* m/s */
     double density;                     /* kg/m3 */
-    double min_diameter, max_diameter;  /* m  of clumps: of the sphere that holds them */
+    double min_diameter, max_diameter;  /* m  of the grains of parcels; of clumps: of the sphere of the same volume */
 };
 
 /* Stream k, from 0. Returns 0 behind the last. */

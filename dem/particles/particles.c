@@ -29,11 +29,11 @@ static const struct dem_column columns[DEM_COLUMNS] = {
     [DEM_COLUMN_COUPLING_INDEX] = {"couplingIndex", 2, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DRAG_IMPULSE] = {"dragImpulse", 3, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DECAY_FACTOR] = {"decayFactor", 1, DEM_GROUP_FLUID, NULL},
-    [DEM_COLUMN_DRAG_INTEGRAL] = {"dragTime", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_DRAG_INTEGRAL] = {"dragIntegral", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_START_VELOCITY] = {"startVelocity", 3, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_DISPLACEMENT] = {"displacement", 3, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_RESPONSE] = {"response", 1, DEM_GROUP_FLUID, NULL},
-    [DEM_COLUMN_TRANSMITTED_FRACTION] = {"dragFraction", 1, DEM_GROUP_FLUID, NULL},
+    [DEM_COLUMN_TRANSMITTED_FRACTION] = {"transmittedFraction", 1, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_CARRIED_OVER_IMPULSE] = {"carriedOverImpulse", 3, DEM_GROUP_FLUID, NULL},
     [DEM_COLUMN_UNDER_RELAXATION] = {"underRelaxation", 1,
                                      DEM_GROUP_FLUID | DEM_GROUP_UNDER_RELAXATION, NULL},
@@ -98,7 +98,6 @@ void dem_particles_add_columns_of(struct dem_particles *p, const struct dem_part
     }
     p->ghost_step = from->ghost_step;
     p->ghost_window = from->ghost_window;
-    p->batch = from->batch;
 }
 
 void dem_particles_free(struct dem_particles *p)
@@ -140,6 +139,7 @@ int dem_particles_copy(struct dem_particles *p, const struct dem_particles *from
     DEM_TRY(DEM_RESIZE(p->record, p->capacity, capacity));
     memcpy(p->record, from->record, from->n*sizeof *p->record);
     p->columns = from->columns;
+    p->batch = from->batch;
     for (int c = 0; c < p->columns; c++)
     {
         struct dem_column *const to = &p->column[c];

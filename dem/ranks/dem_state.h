@@ -103,7 +103,7 @@ enum dem_neighbors_state
     DEM_NEIGHBORS_VALID,
     /* to be rebuilt in the next step */
     DEM_NEIGHBORS_REBUILD,
-    /* there are none of these particles, and no contact rows: after a load or an edit, for example */
+    /* there are no lists and no contact rows, for example after a load or an edit */
     DEM_NEIGHBORS_NONE
 };
 

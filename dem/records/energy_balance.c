@@ -48,6 +48,7 @@ int dem_energy_balance_watch_walls(struct dem_energy_balance *l, const struct de
 void dem_energy_balance_free(struct dem_energy_balance *l)
 {
     dem_memory_free(l->wall_elastic);
+    dem_memory_free(l->backup);
     dem_memory_free(l->sum);
     dem_memory_free(l->scratch);
     memset(l, 0, sizeof *l);
@@ -63,6 +64,48 @@ struct dem_sum *dem_energy_balance_sums_of(const struct dem_energy_balance *l,
         k++;
     }
     return l->sum + k*DEM_ENERGY_BALANCE_SUMS_PER_EFFECT;
+}
+
+/* ---- backup ---------------------------------------------------------------------------------- */
+
+int dem_energy_balance_backup(struct dem_energy_balance *l, int walls)
+{
+    if (!l->open)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(l->backup ? DEM_OK : DEM_NEW(l->backup, DEM_ENERGY_BALANCE_SUMS + walls));
+    memcpy(l->backup, l->sum, DEM_ENERGY_BALANCE_SUMS*sizeof *l->sum);
+    if (l->wall_elastic)
+    {
+        memcpy(l->backup + DEM_ENERGY_BALANCE_SUMS, l->wall_elastic, (size_t)walls*sizeof *l->sum);
+    }
+    l->backup_edited = l->edited;
+    l->backup_edits = l->edits;
+    return DEM_OK;
+}
+
+void dem_energy_balance_restore(struct dem_energy_balance *l, int walls)
+{
+    if (!l->backup)
+    {
+        return;
+    }
+    memcpy(l->sum, l->backup, DEM_ENERGY_BALANCE_SUMS*sizeof *l->sum);
+    if (l->wall_elastic)
+    {
+        memcpy(l->wall_elastic, l->backup + DEM_ENERGY_BALANCE_SUMS, (size_t)walls*sizeof *l->sum);
+    }
+    l->edited = l->backup_edited;
+    l->edits = l->backup_edits;
+}
+
+void dem_energy_balance_swap(struct dem_energy_balance *l)
+{
+    struct dem_sum *const sum = l->sum;
+
+    l->sum = l->backup;
+    l->backup = sum;
 }
 
 /* ---- before an effect acts ------------------------------------------------------------------- */

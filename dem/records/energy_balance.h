@@ -127,6 +127,10 @@ struct dem_energy_balance
     /* J: elastic energy of the contacts with each wall, kept as it was when the wall went; NULL: all
        walls stay */
     struct dem_sum *wall_elastic;
+    /* of the last backup: the sums, then wall_elastic; NULL: none */
+    struct dem_sum *backup;
+    double backup_edited;
+    int backup_edits;
     struct dem_energy_balance_scratch *scratch;
     int items;
     /* as reported last */
@@ -153,6 +157,11 @@ void dem_energy_balance_report(struct dem_state *);
    `before` [J]. No effect without a balance. */
 double dem_energy_balance_total(struct dem_state *);
 void dem_energy_balance_edited(struct dem_state *, double before);
+
+/* Copy the sums; put the copy back. Between two calls of swap all is added to the copy instead. */
+int dem_energy_balance_backup(struct dem_energy_balance *, int walls);
+void dem_energy_balance_restore(struct dem_energy_balance *, int walls);
+void dem_energy_balance_swap(struct dem_energy_balance *);
 
 /* ---- contacts: a batch of the sweep ---------------------------------------------------------- */
 

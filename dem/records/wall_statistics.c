@@ -16,6 +16,8 @@ void dem_wall_statistics_free(struct dem_wall_statistics *b)
 {
     dem_memory_free(b->sum);
     dem_memory_free(b->saved);
+    dem_memory_free(b->backup);
+    dem_memory_free(b->backup_work);
     dem_memory_free(b->work);
     dem_memory_free(b->wear);
     memset(b, 0, sizeof *b);
@@ -172,14 +174,14 @@ int dem_wall_statistics_save_forces(struct dem_state *state)
     return DEM_OK;
 }
 
-void dem_wall_statistics_drop_forces(struct dem_wall_statistics *b)
+static void drop_forces(struct dem_wall_statistics *b)
 {
     dem_memory_free(b->saved);
     b->saved = NULL;
 }
 
-/* The sum of each rank is rounded once here. This happens only in coupled runs, where the fluid is
-   subject to round-off anyway. */
+/* The sum of each rank is rounded once here. This happens in coupled runs, where the fluid is subject to
+   round-off anyway, after edits, and after a return to a backup. */
 static void add_held(struct dem_wall_statistics *b, double kick)
 {
     for (int w = 0; w < b->walls; w++)
@@ -190,7 +192,7 @@ static void add_held(struct dem_wall_statistics *b, double kick)
             dem_sum_add(&b->sum[w].sum[k], kick*dem_sum_value(&b->saved[w].sum[k]));
         }
     }
-    dem_wall_statistics_drop_forces(b);
+    drop_forces(b);
 }
 
 void dem_wall_statistics_add_kick(struct dem_state *state, double kick)
@@ -203,4 +205,57 @@ void dem_wall_statistics_add_kick(struct dem_state *state, double kick)
     {
         dem_wall_statistics_sum_forces(state, -1, kick, state->wall_statistics->sum);
     }
+}
+
+/* ---- backup ---------------------------------------------------------------------------------- */
+
+int dem_wall_statistics_backup(struct dem_state *state, double kick)
+{
+    struct dem_wall_statistics *const b = state->wall_statistics;
+    const size_t n = (size_t)b->walls;
+
+    if (!b->sum)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(b->backup ? DEM_OK : DEM_NEW(b->backup, 2*n + 1));
+    DEM_TRY(b->backup_work ? DEM_OK : DEM_NEW(b->backup_work, n + 1));
+    memcpy(b->backup, b->sum, n*sizeof *b->backup);
+    memcpy(b->backup_work, b->work, n*sizeof *b->work);
+    if (kick > 0.0)
+    {
+        dem_wall_statistics_sum_forces(state, -1, -kick, b->backup);
+    }
+    for (size_t k = 0; k < n; k++)
+    {
+        dem_binned_sum_clear(&b->backup[n + k]);
+    }
+    if (b->saved)
+    {
+        memcpy(b->backup + n, b->saved, n*sizeof *b->saved);
+    }
+    else
+    {
+        dem_wall_statistics_sum_forces(state, -1, 1.0, b->backup + n);
+    }
+    return DEM_OK;
+}
+
+int dem_wall_statistics_restore(struct dem_wall_statistics *b)
+{
+    const size_t n = (size_t)b->walls;
+
+    drop_forces(b);
+    if (b->sum && !b->backup)
+    {
+        return dem_wall_statistics_begin(b, b->walls);
+    }
+    if (b->sum)
+    {
+        DEM_TRY(DEM_NEW(b->saved, n + 1));
+        memcpy(b->sum, b->backup, n*sizeof *b->sum);
+        memcpy(b->work, b->backup_work, n*sizeof *b->work);
+        memcpy(b->saved, b->backup + n, n*sizeof *b->saved);
+    }
+    return DEM_OK;
 }

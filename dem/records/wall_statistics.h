@@ -25,6 +25,8 @@ struct dem_wall_statistics
     struct dem_wear_sum *wear;     /* per triangle of all walls and ranks (wall_wear.h); NULL: none */
     struct dem_binned_sum *saved;  /* N, N m: saved force of the last sweep,
                                      its rows are gone; NULL: rows exist */
+    struct dem_binned_sum *backup; /* sums and forces of the last backup; NULL: none */
+    struct dem_sum *backup_work;
 };
 
 /* Start the sums at zero. */
@@ -38,8 +40,10 @@ void dem_wall_statistics_add_kick(struct dem_state *, double kick);
    forces. */
 int dem_wall_statistics_save_forces(struct dem_state *);
 
-/* The state has been restored from a backup: drop the saved forces. */
-void dem_wall_statistics_drop_forces(struct dem_wall_statistics *);
+/* Copy the sums, without an impulse of the present forces over `kick` [s], and these forces; put the
+   copy back. Sums that began after the copy then begin again. */
+int dem_wall_statistics_backup(struct dem_state *, double kick);
+int dem_wall_statistics_restore(struct dem_wall_statistics *);
 
 /* Add the work of walls on particles, for each wall and for the energy balance, with the forces of the last
    sweep over the time `span` [s] of the drift behind it, or with ahead = 1 of the drift after it, in which

@@ -13,6 +13,8 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "records/snapshot.h"
+#include "records/energy_balance.h"
+#include "records/wall_statistics.h"
 #include "records/wall_wear.h"
 #include "ranks/agree.h"
 #include "run/stage_tests.h"
@@ -245,10 +247,11 @@ int dem_restore(struct dem *d, double *time)
 
     DEM_REQUIRE(state->backup.valid, DEM_ERROR_STATE,
                 "there is no backup to restore; dem_backup_every comes before dem_restore");
+    DEM_TRY(dem_wall_statistics_restore(state->wall_statistics));
     DEM_TRY(dem_backup_restore(&state->backup, &state->particles, &state->contacts));
     dem_flows_restore(state->flows);
     dem_wall_wear_restore(state);
-    dem_wall_statistics_drop_forces(state->wall_statistics);
+    dem_energy_balance_restore(state->energy_balance, state->walls.walls);
     dem_walls_rewind(&state->walls);
     dem_wall_bodies_restore(&state->walls);
     dem_unagreed_reset(&state->unagreed);

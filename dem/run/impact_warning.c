@@ -197,7 +197,7 @@ static void add_line(const struct dem *d, const char *what, const char *name, do
     dem_text_free(&end);
 }
 
-/* A modulus in GPa is seen at no speed when the scene begins at rest. */
+/* In a scene that begins at rest no speed shows a modulus that was given in GPa: take impactSpeed. */
 static void add_at_impact_speed(const struct dem *d, struct dem_text *t)
 {
     struct impact m;

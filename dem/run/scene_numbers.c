@@ -259,6 +259,7 @@ int dem_stream_info(const struct dem *d, int k, struct dem_stream_info *info)
     const struct dem_stream *const s = &all->stream[k];
     const struct dem_interaction_table *const r = &d->state.interaction_table;
     const double density = r->material[s->material].density,
+                 sphere = cbrt(6.0/pi*dem_clump_source_volume(&s->clump, s->sizes.max)),
                  mass_rate = s->by_mass ? s->rate : s->rate*dem_stream_mean_mass(s, r);
 
     *info = (struct dem_stream_info){.name = s->name,
@@ -268,8 +269,8 @@ int dem_stream_info(const struct dem *d, int k, struct dem_stream_info *info)
                                      .rate = s->rate,
                                      .volume_rate = s->at_once ? 0.0 : mass_rate/density,
                                      .density = density,
-                                     .min_diameter = s->sizes.min,
-                                     .max_diameter = s->sizes.max};
+                                     .min_diameter = s->clump.shape ? sphere : s->sizes.min/s->ratio,
+                                     .max_diameter = s->clump.shape ? sphere : s->sizes.max/s->ratio};
     memcpy(info->velocity, s->velocity, sizeof info->velocity);
     memcpy(info->spread, s->spread, sizeof info->spread);
     return 1;

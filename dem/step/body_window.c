@@ -181,7 +181,7 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
         const double *const own = dem_column(particles, DEM_COLUMN_OWN_WAKE);
         const double law = own ? 1.0 + own[DEM_OWN_WAKE_WIDTH*i + DEM_OWN_WAKE_DRAG] : 1.0;
         const double slip_factor = dem_column(particles, DEM_COLUMN_SLIP_FACTOR)[i],
-                     held = dem_column(particles, DEM_COLUMN_DRAG_INTEGRAL)[i],     /* B */
+                     drag_integral = dem_column(particles, DEM_COLUMN_DRAG_INTEGRAL)[i],
                      slip = slip_at_start(particles, i),
                      drag = sqrt(J[0]*J[0] + J[1]*J[1] + J[2]*J[2]);
         const double inverse_mass = particles->record[i].inverse_mass;
@@ -189,12 +189,12 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
             inverse_mass > 0.0
                 ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/inverse_mass
                 : 0.0;
-        const double response = inverse_mass == 0.0 || drag >= held*slip ? held : drag/slip,
+        const double response = inverse_mass == 0.0 || drag >= drag_integral*slip ? drag_integral : drag/slip,
                      least = free/slip_factor;
 
         dem_column(particles, DEM_COLUMN_RESPONSE)[i] = law*(response > least ? response : least);
         dem_column(particles, DEM_COLUMN_TRANSMITTED_FRACTION)[i] =
-            free > 0.0 ? 1.0 - free/(slip_factor*held) : 0.0;
+            free > 0.0 ? 1.0 - free/(slip_factor*drag_integral) : 0.0;
     }
     response_of_added_mass(particles, window);
     displacements(particles, domain);

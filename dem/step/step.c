@@ -272,9 +272,8 @@ static int sum_and_kick(struct dem_state *state, const struct due *due, struct d
     dem_timers_end_phase(state->timers, DEM_PHASE_SUMS);
     if (due->backup)
     {
-        struct dem_body_sweep half = dem_step_sweep(state, 0.5*state->dt, state->dt);
+        const struct dem_body_sweep half = dem_step_sweep(state, 0.5*state->dt, state->dt);
 
-        half.energy_balance = NULL;    /* the step itself adds to it */
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_SUMS);
         status = dem_step_backup_ahead(state, dem_unagreed_keep_error(&state->unagreed, status),
                                        &half);
@@ -350,6 +349,8 @@ static void finish_step(struct dem_state *state, double since, int last, int *st
     struct dem_body_pass pass;
 
     const struct due due = what_is_due(state, last);
+
+    state->energy_balance->sums_elastic |= due.backup;
     const struct dem_body_sweep sweep = sweep_options(state, &due, kick);
 
     const int asked = dem_step_ask_for_forces(state);

@@ -97,20 +97,19 @@ static void swap(struct dem_walls *w)
     }
 }
 
-void dem_wall_bodies_backup(struct dem_state *state, double kick)
+void dem_wall_bodies_backup(struct dem_walls *w)
 {
-    struct dem_wall_body_work unused = {0.0, 0.0, 0.0};
-
-    FOR_BODIES(&state->walls, k, b)
+    FOR_BODIES(w, k, b)
     {
         b->backup = b->state;
     }
-    if (kick > 0.0)
-    {
-        swap(&state->walls);
-        kick_all(state, kick, &unused);
-        swap(&state->walls);
-    }
+}
+
+void dem_wall_bodies_kick_backup(struct dem_state *state, double kick)
+{
+    swap(&state->walls);
+    dem_wall_bodies_kick(state, kick);
+    swap(&state->walls);
 }
 
 void dem_wall_bodies_restore(struct dem_walls *w)

@@ -29,6 +29,7 @@ int dem_wall_bodies_sum(struct dem_state *);
 /* The forces of the last sweep act for `kick` [s]. */
 void dem_wall_bodies_kick(struct dem_state *, double kick);
 
-/* Copy the state for the backup, with half a kick; put it back. */
-void dem_wall_bodies_backup(struct dem_state *, double kick);
+/* Copy the state for the backup; kick the copy; put it back. */
+void dem_wall_bodies_backup(struct dem_walls *);
+void dem_wall_bodies_kick_backup(struct dem_state *, double kick);
 void dem_wall_bodies_restore(struct dem_walls *);

@@ -204,9 +204,10 @@ class Core:
 
     def advance(self, duration, progress, every, forces=()):
         """dem_advance. An exception of progress, or of a function that gives forces, ends it after a
-        step, on all ranks, and is raised here. With functions that give forces all is as before after one
-        of theirs, and after a failure on all ranks, which a force that is not a number causes."""
-        fault, force_failed = None, False
+        step, on all ranks, and is raised here. With functions that give forces, the state before the
+        advance is put back after an exception of one of them and after a failure on all ranks, such as a
+        force that is not a number; averages keep their samples."""
+        fault = None
 
         def report(_, time, steps):
             nonlocal fault
@@ -216,13 +217,13 @@ class Core:
                 fault, asked[0] = error, RAISED
 
         def add(_, time, view, force, torque):
-            nonlocal fault, force_failed
+            nonlocal fault
             try:
                 if fault is None:
                     for function in forces:
                         Forces(time, view, force, torque).ask(function)
             except BaseException as error:
-                fault, force_failed, asked[0] = error, True, FORCE_RAISED
+                fault, asked[0] = error, FORCE_RAISED
 
         call = ffi.NULL if progress is None else ffi.callback("void(void *, double, int64_t)", report)
         ask = ffi.callback("void(void *, double, struct dem_view *, double *, double *)", add)

@@ -55,7 +55,7 @@ class Simulation(Editing, Output):
                    ("virial", virial, lib.dem_case_enable_virial)) if switch(name, value)]
         left_out = None if without is None else text("without", without)
         self._core, self._described = Core(comm), [_reader(scene), _override(settings)]
-        self._forces: list[Callable[[Forces], object]] = []
+        self._forces: list[Callable[[Forces], None]] = []
         self._described += [lambda c: _options(c, left_out, wanted)]
         try:
             with self._core.case("Simulation") as c:
@@ -131,15 +131,15 @@ class Simulation(Editing, Output):
             core.advance(rest if rest < 1.001*window else window, progress, interval, self._forces)
         return self
 
-    def add_force(self, function: Callable[[Forces], object]) -> Callable[[Forces], object]:
+    def add_force(self, function: Callable[[Forces], None]) -> Callable[[Forces], None]:
         """Let a function give forces from now on; also as a decorator:
 
             @sim.add_force
             def trap(p):
                 p.force -= 0.1*p.position
 
-        It is called on each rank in each step, after the particles have moved, and at the begin of an
-        advance, with suna.Forces; it returns nothing. What it adds must depend on each particle alone for
+        It is called on each rank in each step, after the particles have moved, and at the beginning
+        of an advance, with suna.Forces; it returns nothing. What it adds must depend on each particle alone for
         the same bits on any ranks. An exception, or a failure of the run, ends the advance on all ranks and
         puts back the state before it."""
         if not callable(function):
@@ -148,7 +148,7 @@ class Simulation(Editing, Output):
         self._forces.append(function)
         return function
 
-    def remove_force(self, function: Callable[[Forces], object]) -> None:
+    def remove_force(self, function: Callable[[Forces], None]) -> None:
         """End a force of add_force."""
         if not callable(function) or function not in self._forces:
             raise SunaError(f"{function!r} is no force of the simulation")

@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
+#include "dem_numbers.h"
 
 #define BEADS "materials { glass { density 2500; youngsModulus 1e5; } } effects { hertz { } dry { restitution 0.9; } %s } " \
               "time { step 1e-5; } "
@@ -445,6 +446,29 @@ static void test_back(void)
     dem_free(d);
 }
 
+/* Two spheres of 2 mm, apart, have the volume of one of 2 mm cbrt(2). */
+static void test_info(void)
+{
+    struct dem *const d = stream("",
+        "parcels { ratio 8; }"
+        "insert { a { type stream; rate 1; sizes { type uniform; min 1e-3; max 2e-3; } min (0 0 0); max (1 1 1); } } ");
+    struct dem *const clumps = stream("",
+        "shapes { pair { spheres ((-2e-3 0 0 1e-3) (2e-3 0 0 1e-3)); } }"
+        "insert { a { type stream; rate 1; shape pair; min (0 0 0); max (1 1 1); } } ");
+    struct dem_stream_info s;
+
+    TAP_OK(dem_stream_info(d, 0, &s) == 1 && !dem_stream_info(d, 1, &s), "a stream");
+    dem_stream_info(d, 0, &s);
+    TAP_OK(fabs(s.min_diameter - 1e-3) < 1e-18 && fabs(s.max_diameter - 2e-3) < 1e-18,
+           "of parcels: diameters of the grains");
+    TAP_NEAR(s.volume_rate, 512.0*world_pi/6.0*3.75e-9, 1e-12, "of parcels: their volume");
+    dem_free(d);
+    dem_stream_info(clumps, 0, &s);
+    TAP_NEAR(s.max_diameter, 2e-3*cbrt(2.0), 1e-15, "of clumps: the diameter of the sphere of the same volume");
+    TAP_OK(s.min_diameter == s.max_diameter, "of clumps: one diameter");
+    dem_free(clumps);
+}
+
 /* A particle starts a thousandth of its radius behind the patch; at 1 mm/s it crosses half of that
    in 0.5 ms. */
 static void test_patch(void)
@@ -626,6 +650,7 @@ int main(void)
     test_drag();
     test_balance();
     test_back();
+    test_info();
     test_patch();
     test_aside();
     test_heavy();

@@ -49,7 +49,7 @@ static struct dem *sphere(const char *more)
 }
 
 /* Impulse of drag, and the sum of b h. */
-static double frozen(int whole, double *time)
+static double frozen(int whole, double *drag_integral)
 {
     struct dem *const w = sphere("frozen yes;");
     struct dem_fluid f;
@@ -60,7 +60,7 @@ static double frozen(int whole, double *time)
     WORLD_TRY(dem_fluid(w, &f));
     const double impulse = f.drag_impulse[2];
 
-    *time = f.drag_integral[0];
+    *drag_integral = f.drag_integral[0];
     dem_free(w);
     return impulse;
 }

@@ -498,6 +498,42 @@ def force_faults():
     assert sim.hash == other.hash
 
 
+def records():
+    """the impulses on walls and the energy balance go back with the state, and go on as without the fault"""
+    def pile():
+        sim = suna.Simulation(SCENE, {"time/force": True}, energy=True).setup()
+        sim.add_force(lambda p: setattr(p, "force", -1e-3*p.mass[:, None]*p.velocity))
+        sim.reset_impulses()
+        return sim.advance(0.05)
+
+    def close(one, two, bits):
+        impulse, balance = (abs(a - b).max()/abs(b).max() for a, b in zip(one, two))
+        assert impulse <= bits*1e-13 and balance <= bits*1e-13, (impulse, balance)
+
+    def state(sim):
+        return (numpy.concatenate([numpy.ravel(sim.wall(name).impulse) for name in ("floor", "box")]),
+                numpy.array(list(sim.energy.values())))
+
+    def fault(p):
+        if p.time > start + 1e-3:
+            raise ZeroDivisionError("halt")
+    sim, other = pile(), pile()
+    before, start = state(sim), sim.time
+    sim.add_force(fault)
+    for duration in (0.01, 0.002):
+        try:
+            sim.advance(duration)
+            raise AssertionError("nothing was raised")
+        except ZeroDivisionError:
+            pass
+        close(state(sim), before, 0)
+    sim.remove_force(fault)
+    for one in (sim, other):
+        one.advance(0.01)
+    assert sim.hash == other.hash
+    close(state(sim), state(other), 1)
+
+
 def until():
     """until ends an advance at the first test that is true; its exceptions leave the run sound"""
     sim = suna.Simulation(SCENE)
@@ -585,5 +621,5 @@ def tables():
 if __name__ == "__main__":
     os.chdir(tempfile.mkdtemp(dir=sys.argv[1]))
     run_tests(added, ids_over_restarts, snapshots, history, energy, moved, scalars, refusals, clumps, live_clumps, diameters,
-              walls, motions, loads, entries, forces, force_faults, until, views, tables)
+              walls, motions, loads, entries, forces, force_faults, records, until, views, tables)
     finish()
