@@ -152,7 +152,7 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 // lowWeightCorrection. Collective.
 void Foam::demPlan::interfaceWarning(DynamicList<string>& warnings) const
 {
-    const scalar whole = 0.9;    // below it, curved sides of different faces apart
+    const scalar whole = 0.9;    // curved sides whose faces do not match are near 1
     label n = 0;
     label all = 0;
 
