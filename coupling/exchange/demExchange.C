@@ -185,7 +185,7 @@ void Foam::demExchange::setDensity(const volScalarField& rho)
 
 void Foam::demExchange::toParticles(const demFlow& flow)
 {
-    gradP_ = flow.gradP;
+    gradP_.ref() = flow.gradP();
     if (!particles_.needsFluid())
     {
         return;

@@ -59,6 +59,18 @@ void Foam::demParticleRouting::query
             lost.append(i);
             continue;
         }
+
+        // Nearly all stay on this rank: no message
+        demLocator::walkState t{position(view, i), label(rankCell[2*i + 1]), rank, 0};
+        demCellLocation location;
+        if (rank == Pstream::myProcNo() && locator_.walk(t, location) == demLocator::INSIDE)
+        {
+            locations_.append(location);
+            owner_.append(rank);
+            found_[rank].append(i);
+            rankCell[2*i + 1] = t.cell;
+            continue;
+        }
         DynamicList<scalar>& message = out_[rank];
         demAppend(message, position(view, i));
         message.append(rankCell[2*i + 1]);

@@ -27,6 +27,13 @@ void dem_hash_bytes(struct dem_hash *h, const void *bytes, size_t n)
 {
     const unsigned char *at = bytes;
 
+    for (; n >= 8 && h->length%8 == 0; at += 8, n -= 8, h->length += 8)
+    {
+        uint64_t word;
+
+        memcpy(&word, at, sizeof word);
+        h->state = mix_word(h->state, word);
+    }
     while (n > 0)
     {
         const size_t filled = h->length%8, used = n < 8 - filled ? n : 8 - filled;

@@ -5,6 +5,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "records/totals.h"
+#include "core/binned_sum.h"
 #include "core/error.h"
 #include "core/vec.h"
 #include "records/fingerprint.h"
@@ -108,26 +109,25 @@ static void add_row(struct dem_sum sum[4], struct row *row)
     row->n = 0;
 }
 
-static void add_particle(struct dem_sum sum[SUMS], struct row *row, const struct dem_state *state,
-                         size_t i)
+static void add_particle(struct dem_binned_sum *motion, struct dem_sum sum[4], struct row *row,
+                         const struct dem_state *state, size_t i)
 {
     const struct dem_particle *const r = &state->particles.record[i];
     const int frozen = r->flags & DEM_PARTICLE_FROZEN;
     struct dem_particle_share s;
 
     dem_particle_share(&state->particles, i, &s);
-    dem_sum_add(&sum[0], s.kinetic[0] + s.kinetic[1]);
-    for (int k = 0; k < 3; k++)
-    {
-        dem_sum_add(&sum[1 + k], s.momentum[k]);
-    }
+    const double term[DEM_BINNED_SUMS] = {s.kinetic[0] + s.kinetic[1], s.momentum[0], s.momentum[1],
+                                          s.momentum[2]};
+
+    dem_binned_sum_add(motion, term);
 
     const double value[4] = {dem_totals_volume(state, r), s.mass, frozen ? 0.0 : 2.0*r->radius,
                              frozen ? 0.0 : r->mass};
 
     if (memcmp(row->value, value, sizeof value) != 0 || row->n == MAX_ROW)
     {
-        add_row(&sum[4], row);
+        add_row(sum, row);
         memcpy(row->value, value, sizeof value);
     }
     row->n++;
@@ -168,18 +168,22 @@ static void tally_bonds(const struct dem_state *state, struct dem_totals *t)
 
 void dem_totals_tally(struct dem_state *state, struct dem_totals *t)
 {
+    struct dem_binned_sum motion;
     struct dem_sum sum[SUMS] = {0};
     struct row row = {.n = 0};
     double value[SUMS], g[3];
     int64_t count[4] = {(int64_t)state->particles.n, dem_totals_touching(state), 0, 0};
 
+    dem_binned_sum_clear(&motion);
     for (size_t i = 0; i < state->particles.n; i++)
     {
-        add_particle(sum, &row, state, i);
+        add_particle(&motion, &sum[4], &row, state, i);
         count[2] += state->particles.record[i].body == state->particles.record[i].id + 1;
         count[3] += dem_clump_counts(&state->particles.record[i]);
     }
     add_row(&sum[4], &row);
+    dem_binned_sum_flush(&motion);
+    memcpy(sum, motion.sum, 4*sizeof *sum);
     dem_totals_reduce_sums(state, sum, SUMS, value);
     dem_interaction_table_gravity(&state->interaction_table, g);
     dem_collect_sum_int64(&state->decomposition, count, 4);

@@ -52,8 +52,11 @@ static int way_of(const struct dem_snapshot_flow *f)
 int dem_totals(struct dem *d, struct dem_totals *t)
 {
     const struct dem_flows *const f = d->state.flows;
+    fenv_t caller;
 
+    feholdexcept(&caller);
     dem_totals_tally(&d->state, t);
+    fesetenv(&caller);
     for (int k = 0; k < f->n; k++)
     {
         const int way = way_of(&f->flow[k]);

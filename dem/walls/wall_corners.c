@@ -38,9 +38,15 @@ struct corner
     size_t at;                    /* 3 triangle + corner */
 };
 
+/* Corners are sorted along a direction that no grid has, so that few of a mesh are at one place along it. */
+static const double along[3] = {0.5257311121, 0.6180339887, 0.5844873543};
+
 static int compare_corner_positions(const void *a, const void *b)
 {
-    return dem_walls_compare_corners(((const struct corner *)a)->x, ((const struct corner *)b)->x);
+    const double *const p = ((const struct corner *)a)->x, *const q = ((const struct corner *)b)->x;
+    const double s = dem_vec_dot(p, along), t = dem_vec_dot(q, along);
+
+    return s < t ? -1 : s > t ? 1 : dem_walls_compare_corners(p, q);
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -104,8 +110,8 @@ static int coincide(const struct corner *a, const struct corner *b, double toler
                                    ? tolerance : across_faces);
 }
 
-/* Label the corners so that coincident ones share a label: sort by x, compare within the
-   tolerance. */
+/* Label the corners so that coincident ones share a label: sort, compare within the tolerance. Twice that along
+   the direction leaves room for round-off. */
 static void label_corners(struct corner *c, size_t n, double tolerance, double across_faces,
                           struct dem_vertex *vertex)
 {
@@ -116,7 +122,9 @@ static void label_corners(struct corner *c, size_t n, double tolerance, double a
 
         here->label = c[k].at;
         memcpy(here->period, c[k].period, sizeof here->period);
-        for (size_t m = k; m-- > 0 && c[k].x[0] - c[m].x[0] <= across_faces;)
+        const double end = dem_vec_dot(c[k].x, along) - 2.0*across_faces;
+
+        for (size_t m = k; m-- > 0 && dem_vec_dot(c[m].x, along) >= end;)
         {
             if (coincide(&c[k], &c[m], tolerance, across_faces))
             {
