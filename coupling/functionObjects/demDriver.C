@@ -40,7 +40,7 @@ void Foam::demDriver::refuseLateStart() const
     {
         FatalErrorInFunction
             << "The mesh moves, but the particles have stood still until now;"
-            << " let them move from the start, without timeStart"
+            << " let them move in all time steps, without timeStart"
             << exit(FatalError);
     }
 }
@@ -128,7 +128,7 @@ void Foam::demDriver::step()
     {
         demMeshCheck::refuseTopologyChange();
     }
-    if (lastStep_ < 0 && mesh_.moving())
+    if (lastStep_ < mesh_.time().timeIndex() - 1 && mesh_.moving())
     {
         refuseLateStart();
     }
@@ -187,6 +187,9 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     steady_(demFluid::steady(mesh)),
     cells_(mesh.nCells()),
     lastStep_(-1),
+    ended_(-1),
+    without_(labelMax),
+    user_(nullptr),
     from_(-VGREAT),
     until_(VGREAT),
     relaxation_(cloud_.particles().dict().coupling().getOrDefault<scalar>("relaxation", 0.1)),
@@ -233,6 +236,22 @@ Foam::demDriver& Foam::demDriver::of(const fvMesh& mesh, const word& source)
 }
 
 
+void Foam::demDriver::begin(functionObjects::demFunctionObject& user)
+{
+    // OpenFOAM makes function objects between two steps and calls them for the step
+    // before, in which the fluid did not feel these particles
+    without_ = user_ ? without_ : mesh_.time().timeIndex();
+    user_ = &user;
+}
+
+
+void Foam::demDriver::rest()
+{
+    without_ = labelMax;
+    user_ = nullptr;
+}
+
+
 void Foam::demDriver::meshMoves() const
 {
     if (lastStep_ == mesh_.time().timeIndex())
@@ -251,7 +270,10 @@ bool Foam::demDriver::active() const
     const scalar half = 0.5*time.deltaTValue();
 
     // Same tolerance as functionObjects::timeControl
-    return time.value() >= from_ - half && time.value() <= until_ + half;
+    return
+        time.timeIndex() > without_
+     && time.value() >= from_ - half
+     && time.value() <= until_ + half;
 }
 
 
@@ -296,6 +318,12 @@ void Foam::demDriver::addHeat(const volScalarField& rho, fvMatrix<scalar>& eqn)
 
 void Foam::demDriver::endStep()
 {
+    if (ended() || mesh_.time().timeIndex() <= without_)
+    {
+        return;
+    }
+    ended_ = mesh_.time().timeIndex();
+
     if (cloud_.particles().twoWay())
     {
         if (lastStep_ != mesh_.time().timeIndex())

@@ -94,6 +94,33 @@ void Foam::functionObjects::demFunctionObject::addSource(const word& name)
 }
 
 
+// OpenFOAM makes a function object anew when it is enabled again and when it gets a time
+// control in a run: takes the particles over. False if there are none
+bool Foam::functionObjects::demFunctionObject::takeOver()
+{
+    const demDriver* found = mesh_.findObject<demDriver>(demDriver::typeName);
+
+    if (!found || (found->user() && found->user()->name() != name()))
+    {
+        return false;
+    }
+    demFunctionObject* before = found->user();
+
+    if (before)
+    {
+        before->driver_.release();
+        stop_ = std::move(before->stop_);
+    }
+    else
+    {
+        Info<< "Suna: functions/" << name() << " is enabled again: the particles move on"
+            << endl;
+    }
+    driver_.reset(const_cast<demDriver*>(found));
+    return true;
+}
+
+
 Foam::functionObjects::demFunctionObject::demFunctionObject
 (
     const word& name,
@@ -102,6 +129,9 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
+    region_(mesh_.name()),
+    timeStart_(-VGREAT),
+    timeEnd_(VGREAT),
     ownTimes_
     (
         dict.found("writeControl")
@@ -121,14 +151,17 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     const bool throwing = FatalError.throwExceptions(false);
     const bool throwingIO = FatalIOError.throwExceptions(false);
 
-    if (mesh_.foundObject<volScalarField>("dem:drag"))
+    if (!takeOver())
     {
-        FatalErrorInFunction
-            << "This solver or another function object has particles already;"
-            << " take out " << name << exit(FatalError);
+        if (mesh_.foundObject<volScalarField>("dem:drag"))
+        {
+            FatalErrorInFunction
+                << "This solver or another function object has particles already;"
+                << " take out " << name << exit(FatalError);
+        }
+        driver_.reset(new demDriver(mesh_));
     }
-
-    driver_.reset(new demDriver(mesh_));
+    driver_().begin(*this);
     read(dict);
 
     if (dict.getOrDefault("plan", false))
@@ -139,7 +172,11 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
     }
 
     // Outside its own period it would not notice a signal
-    if (!dict.found("timeStart") && !dict.found("timeEnd"))
+    if (dict.found("timeStart") || dict.found("timeEnd"))
+    {
+        stop_.clear();
+    }
+    else if (!stop_)
     {
         stop_.reset(new demStop(time_));
     }
@@ -158,16 +195,43 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
 }
 
 
+Foam::functionObjects::demFunctionObject::~demFunctionObject()
+{
+    // At the end of a run the mesh goes first
+    if (!driver_ || !time_.foundObject<fvMesh>(region_))
+    {
+        return;
+    }
+
+    // OpenFOAM deletes it before the end of the step that the solver has just made
+    if (driver_().active() && !driver_().ended())
+    {
+        demFunctionObject::execute();
+        demFunctionObject::write();
+    }
+    Info<< "Suna: functions/" << name() << " is disabled: the particles stand still and do not"
+        << " act on the fluid" << endl;
+    driver_().rest();
+    driver_.release();
+}
+
+
 bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
 {
     if (driver_)
     {
         checkControl(dict);
-        driver_().setActivePeriod
-        (
-            time_.userTimeToTime(dict.getOrDefault<scalar>("timeStart", -VGREAT)),
-            time_.userTimeToTime(dict.getOrDefault<scalar>("timeEnd", VGREAT))
-        );
+
+        // As functionObjects::timeControl: an entry that is taken out stays in force
+        if (dict.readIfPresent("timeStart", timeStart_))
+        {
+            timeStart_ = time_.userTimeToTime(timeStart_);
+        }
+        if (dict.readIfPresent("timeEnd", timeEnd_))
+        {
+            timeEnd_ = time_.userTimeToTime(timeEnd_);
+        }
+        driver_().setActivePeriod(timeStart_, timeEnd_);
     }
     return fvMeshFunctionObject::read(dict);
 }

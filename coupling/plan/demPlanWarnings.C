@@ -5,10 +5,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demPlan.H"
+#include "cyclicAMIPolyPatch.H"
 #include "demFiles.H"
 #include "demCheck.H"
 #include "demFluid.H"
 #include "demOwnWake.H"
+#include "demSnapshot.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "wallFvPatch.H"
@@ -149,6 +151,44 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
 }
 
 
+// Faces of sliding interfaces that the other side covers in part, which OpenFOAM takes with
+// lowWeightCorrection. Collective.
+void Foam::demPlan::interfaceWarning(DynamicList<string>& warnings) const
+{
+    const scalar whole = 0.9;    // curved sides whose faces do not match are near 1
+    label n = 0;
+    label all = 0;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<cyclicAMIPolyPatch>(patch))
+        {
+            const cyclicAMIPolyPatch& own = refCast<const cyclicAMIPolyPatch>(patch);
+            const scalarField& covered =
+                own.owner() ? own.AMI().srcWeightsSum() : own.neighbPatch().AMI().tgtWeightsSum();
+
+            all += covered.size();
+            for (const scalar part : covered)
+            {
+                n += part < whole;
+            }
+        }
+    }
+    reduce(n, sumOp<label>());
+    reduce(all, sumOp<label>());
+    if (n)
+    {
+        warnings.append
+        (
+            "the other side covers less than 90 % of " + name(n) + " of " + name(all)
+          + " faces of cyclicAMI patches: fluid and particles do not pass them alike, and a"
+            " particle that reaches a face without any cover ends the run; extend both zones so"
+            " that their interfaces cover each other"
+        );
+    }
+}
+
+
 // A particle that is in its own wake is too fast. Collective.
 void Foam::demPlan::ownWakeWarning(DynamicList<string>& warnings) const
 {
@@ -255,6 +295,22 @@ void Foam::demPlan::filesWarnings(DynamicList<string>& warnings) const
     const word method(decomposition.getOrDefault<word>("method", word::null));
     DynamicList<string> found;
 
+    // FOLDER/snapshot.dem is of FOLDER.dem. A copied case has new dates, less than a minute apart
+    const fileName snapshot(demSnapshot::exists(time) ? fileName() : particles_.dict().snapshot());
+    const fileName scene(snapshot.path() + ".dem");
+    if
+    (
+        snapshot.name() == "snapshot.dem" && isFile(snapshot, false) && isFile(scene, false)
+     && lastModified(scene) > lastModified(snapshot) + 60
+    )
+    {
+        found.append
+        (
+            time.relativePath(scene) + " is newer than " + time.relativePath(snapshot)
+          + ", with whose particles the run begins: if it has changed, run it again by dem run "
+          + scene.name()
+        );
+    }
     for (const fileName& region : readDir(constant, fileName::DIRECTORY))
     {
         if (isFile(constant/region/demDict::name(), false))
@@ -289,6 +345,7 @@ void Foam::demPlan::warn(const demFlow& flow, struct ::dem_run_info& ahead) cons
     inletWarnings(U, own);
     timeSchemeWarning(own);
     openPatchWarning(own);
+    interfaceWarning(own);
     streamWarnings(flow, own);
     ownWakeWarning(own);
     overfullWarning(own);

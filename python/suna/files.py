@@ -5,7 +5,8 @@
     read_snapshot   the state: particles, columns, contacts with history
     read_record     particles.bin of a coupled run
     read_cloud      lagrangian fields of a time folder of OpenFOAM, ascii or binary
-    tables, times   all tables, and the time folders, of a coupled case
+    tables          all tables of a coupled case, or of a folder of dem run
+    times           time folders of a coupled case
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -73,7 +74,7 @@ def read_vtp(path: File) -> dict[str, Any]:
     raw = Path(path).read_bytes()
     head, found, data = raw.partition(b"<AppendedData")
     if not found:
-        raise FileError(f"{path}: no appended data; not a file of Suna")
+        raise FileError(f"{path}: no appended data; not a .vtp file of Suna")
     data = data[data.index(b"_") + 1:]
     columns = {}
     for tag in re.findall(rb"<DataArray [^>]*>", head):
@@ -190,17 +191,20 @@ def times(case: File) -> list[tuple[float, Path]]:
 
 
 def tables(case: File) -> dict[str, Any]:
-    """CSV tables of a coupled case by name; the rows of all starts, a later start replaces what an
-    earlier one has from its time on."""
+    """CSV tables by name of a coupled case, or of a folder that dem run writes (without its
+    particles_*.csv). Of a case the rows of all starts: a later start replaces what an earlier one
+    has from its time on."""
     import pandas
     found: dict[str, Any] = {}
     folders = sorted(Path(case).glob("postProcessing/dem/*"), key=lambda path: float(path.name))
+    if not folders and Path(case, "effects.csv").exists():
+        folders = [Path(case)]
     if not folders:
-        raise FileError(f"{case}: no folder in its postProcessing/dem; give the folder of a coupled case that has run; "
-                        "read_table reads a table of dem run")
+        raise FileError(f"{case}: no folder in its postProcessing/dem, and no effects.csv; give the folder of a "
+                        "coupled case that has run, or a folder of dem run with tables")
     for folder in folders:
         for path in folder.glob("*.csv"):
-            if path.name == "effects.csv":
+            if path.name == "effects.csv" or re.fullmatch(r"particles_\d+\.csv", path.name):
                 continue
             table, earlier = read_table(path), found.get(path.stem)
             if earlier is not None and "time" in table:
@@ -251,7 +255,8 @@ def _positions(path, n, at, binary, body):
     at = body.index(b"(", at)
     rows = numpy.frombuffer(body, entry, n, at)
     if not (rows["open"] == b"(").all():
-        raise FileError(f"{path}: not {n} positions with a cell of 32 bits each")
+        raise FileError(f"{path}: not {n} positions, each with a cell label of 32 bits; damaged, or of a "
+                        "build with other labels")
     return rows["x"]
 
 
@@ -260,6 +265,6 @@ def read_cloud(folder: File) -> dict[str, Any]:
     """Fields of the particles in a time folder by name; `positions` are n x 3 [m]."""
     clouds = sorted(Path(folder).glob("lagrangian/*/positions"))
     if len(clouds) != 1:
-        raise FileError(f"{folder}: {len(clouds)} clouds under lagrangian, one is wanted")
+        raise FileError(f"{folder} has {len(clouds)} clouds in lagrangian; give a time folder with one")
     return {path.name: _foam_list(path) for path in sorted(clouds[0].parent.iterdir())
             if path.name not in ("coordinates",)}

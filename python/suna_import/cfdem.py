@@ -223,7 +223,7 @@ class CfdemCase(CoupledCase):
                 sorted((self.top/"DEM").glob("in.*"))
             if not scripts:
                 self.report.refuse(d.where("dataExchangeModel"), model,
-                                   "no script DEM/in.* is there")
+                                   "there is no script DEM/in.*; put it there")
             return scripts[0], d.where("dataExchangeModel")
         name = as_text(props.tokens("liggghtsPath")).strip('"')
         path = (self.source/name).resolve()
@@ -263,7 +263,7 @@ class CfdemCase(CoupledCase):
         tokens = self.field("rho").tokens("internalField")
         place = self.field("rho").where("internalField")
         if tokens[:1] != ["uniform"]:
-            report.refuse(place, "rho", "is not uniform; demPimpleFoam has one density")
+            report.refuse(place, "rho", "is not uniform; demPimpleFoam has a fluid of one density")
         density = self.field("rho").positive("internalField")
         self.properties.add("coupling", f"rho {density:.12g};", place)
         report.translated(place, "rho", "coupling/rho")

@@ -92,8 +92,8 @@ def add_equations(d, properties, report):
     model = d.word("modelType")
     place, word = d.where("modelType"), f"modelType {model}"
     if model == "none":
-        report.refuse(place, word, "without averaged equations; models A, B and Bfull have sets "
-                                   "here")
+        report.refuse(place, word, "has no averaged equations; Suna has the sets of models A, B "
+                                   "and Bfull")
     if model not in SETS:
         report.refuse(place, word, "known are A, B, Bfull")
     number, text = SETS[model]
@@ -135,10 +135,9 @@ def weights(props, report):
     """Settings of a void fraction model."""
     for name in ("weight", "porosity", "scaleUpVol"):
         if name in props and props.number(name) != 1:
-            props.refuse(name, "particles that count with another volume than theirs; only 1 is "
-                         "known")
+            props.refuse(name, "scales the volumes of the particles; only 1 is translated")
     if "volScale" in props:
-        props.refuse("volScale", "volumes scaled by type")
+        props.refuse("volScale", "scales volumes by type, which Suna does not")
     for name in ("maxCellsPerParticle", "interpolation", "verbose", "procBoundaryCorrection",
                  "cfdemUseOnly", "alphaMin", "weight", "porosity", "scaleUpVol"):
         props.find(name)

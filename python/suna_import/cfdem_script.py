@@ -106,8 +106,8 @@ class DemScript:
                 self.report.refuse(Place(self.path.name), name,
                                    f"{sentence}: coupled cases have none")
         if any(group != "all" for _, group in self.state["integrated"]):
-            self.report.refuse(Place(self.path.name), "fix nve/sphere", "integrates a part of the "
-                               "particles; write it for all")
+            self.report.refuse(Place(self.path.name), "fix nve/sphere", "integrates a group of the "
+                               "particles only; apply it to all")
 
     # ---- walls -----------------------------------------------------------------------------------
 

@@ -127,10 +127,10 @@ class CloudCase(CoupledCase):
     def read_solution(self):
         report, solution = self.report, self.cloud.sub("solution")
         if not solution.switch("active", True):
-            report.refuse(solution.where("active"), "solution/active", "the cloud is switched off")
+            report.refuse(solution.where("active"), "solution/active", "is no, so the cloud has no particles")
         if not solution.switch("transient", True):
-            report.refuse(solution.where("transient"), "solution/transient", "a steady cloud; see "
-                          "docs/coupled-case.md, steady solvers")
+            report.refuse(solution.where("transient"), "solution/transient", "is no, and steady clouds are not "
+                          "translated; see steady solvers in docs/coupled-case.md")
         self.coupled = solution.switch("coupled", True)
         report.translated(solution.where("coupled"), "solution/coupled", "coupling/twoWay "
                           f"{'yes' if self.coupled else 'no'}")

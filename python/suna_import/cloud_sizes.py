@@ -58,7 +58,7 @@ def density(kind, d):
         rows = numpy.array([d.numbers("distribution", row, 2, "pair of numbers")
                             for row in d.list("distribution")])
         if len(rows) < 2:
-            d.refuse("distribution", "has two rows or more")
+            d.refuse("distribution", "needs two rows or more")
         low, high = rows[0, 0], rows[-1, 0]
         def value(x):
             return numpy.interp(x, rows[:, 0], rows[:, 1])

@@ -120,7 +120,7 @@ class Dictionary:
         if tokens is None or not tokens or not isinstance(tokens[-1], str):
             if default:
                 return default[0]
-            self.refuse(name, "has no word as its value")
+            self.refuse(name, "needs a word as its value")
         return str(tokens[-1])
 
     def number(self, name, *default):
@@ -176,7 +176,7 @@ class Dictionary:
             return default[0]
         lists = [token for token in self.tokens(name) if isinstance(token, list)]
         if not lists:
-            self.refuse(name, "has no list as its value")
+            self.refuse(name, "needs a list as its value")
         return lists[-1]
 
     def sub(self, name):

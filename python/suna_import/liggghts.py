@@ -25,7 +25,7 @@ from .liggghts_restart import Restart
 from .liggghts_script import Script, is_file
 from .liggghts_state import Stage, key
 from .liggghts_words import MOST, BadWords, as_number, as_whole
-from .report import Place, collected
+from .report import CannotTranslate, Place, collected
 from .scene_text import Names
 from .units import Units
 from . import liggghts_fixes
@@ -87,6 +87,7 @@ class Translation(Head, Atoms, Restart):
     def __init__(self, path, report, variables=(), seen=()):
         self.path, self.report, self.given, self.seen = Path(path), report, variables, seen
         self.stages, self.before, self.in_run = [], None, False
+        self.faulty = set()     # (command, name) of refused lines that define something
         self.clear()
 
     def clear(self):
@@ -108,6 +109,8 @@ class Translation(Head, Atoms, Restart):
         for command in self.script:
             self.command = command
             self.report.at = command.place
+            defined = (command.name, command.words.get(0))
+            self.faulty.add(defined)
             with collected():
                 try:
                     self.execute(command)
@@ -116,7 +119,8 @@ class Translation(Head, Atoms, Restart):
                         f"{error} is known only in a run of LIGGGHTS; write its value instead")
                 except BadWords as error:
                     self.refuse(str(error))
-        if not self.stages:
+                self.faulty.discard(defined)
+        if not self.stages and not self.is_faulty("run"):
             with collected():
                 self.report.refuse(self.script.place or Place(self.path.name), "run",
                                    "the script runs no step that can be translated")
@@ -211,9 +215,19 @@ class Translation(Head, Atoms, Restart):
     def atom_type(self, word):
         return self.whole(word, 1, MOST_TYPES)
 
+    def is_faulty(self, command, name=None):
+        return any(command == line[0] and name in (None, line[1]) for line in self.faulty)
+
+    def lacks(self, what, command, name=None):
+        """Refuses the line because nothing defines what it needs. The line that should is refused
+        itself: skips this one, whose fault may vanish with the other one."""
+        if self.is_faulty(command, name):
+            raise CannotTranslate(f"{what} is refused")
+        self.refuse(f"there is no {what} before this line")
+
     def find(self, of, name, what):
         if name not in of:
-            self.refuse(f"there is no {what} {name} before this line")
+            self.lacks(f"{what} {name}", what if what in ("region", "group") else "fix", name)
         return of[name]
 
     def file(self, name):
@@ -271,7 +285,7 @@ class Translation(Head, Atoms, Restart):
 
     def do_run(self, words):
         if self.step is None:
-            self.refuse("there is no timestep before this line")
+            self.lacks("timestep", "timestep")
         asked = as_number(words[0], "number of steps")
         steps = as_whole(str(math.floor(asked)))
         if steps != asked:

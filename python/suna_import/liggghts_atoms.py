@@ -47,9 +47,9 @@ class Atoms:
 
     def _lattice_points(self, words):
         if self.lattice is None:
-            self.refuse("there is no lattice before this line")
+            self.lacks("lattice", "lattice")
         if self.box is None:
-            self.refuse("there is no create_box before this line")
+            self.lacks("create_box", "create_box")
         style, a = self.lattice
         region = self.find(self.regions, words[2], "region") if words[1] == "region" else None
         box = numpy.array(self.box)

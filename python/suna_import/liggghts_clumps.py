@@ -50,7 +50,7 @@ def template(t, name, group, words):
             number = t.whole(rest.pop(0), 1, 256)
         elif key == "spheres":
             if number is None:
-                t.refuse("nspheres comes before it", "spheres")
+                t.refuse("must come after nspheres", "spheres")
             spheres, rest[:] = read_spheres(t, rest, number)
         elif key in ("ntry", "type", "volume_limit"):
             rest.pop(0)

@@ -128,7 +128,7 @@ def hold(t, name, word):
         t.refuse("known: start, stop", f"integrate {word}")
     moving = [(mesh, m) for mesh in t.meshes.values() if name in t.fixes for m in
               [m for m in mesh.motions if m.name == name][-1:]]
-    if not moving:
+    if not moving and not t.is_faulty("fix", name):
         t.refuse(f"no wall is moved by a fix {name}", f"integrate {word}")
     for mesh, motion in moving:
         if word == "stop" and motion.end > t.time:
@@ -190,7 +190,7 @@ def property_global(t, name, group, words):
                  f"property/global {kind}")
     values = [word for word in values if word != "rebuild"]
     if not values or kind in PAIRS and len(values) != columns**2:
-        t.refuse(f"{len(values)} values are not the number that {kind} needs",
+        t.refuse(f"has {len(values)} values, not the number that {kind} needs",
                  f"property/global {what}")
     unit = KINDS.get(what, "number")
     if what in ("kn", "kt"):
@@ -236,7 +236,7 @@ def addtorque(t, name, group, words):
 
 def viscous(t, name, group, words):
     if group != "all" or len(words) > 1:
-        t.refuse("known is one coefficient for all particles", "fix viscous")
+        t.refuse("is translated with one coefficient for all particles", "fix viscous")
     t.fluid = (t.number(words[0], "damping"), t.command.place)
     t.translated("stokesDrag in a fluid with this coefficient, for one size")
 

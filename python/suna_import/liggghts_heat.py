@@ -42,7 +42,7 @@ class Heat:
 
 def conduction(t, name, group, words):
     if group != "all":
-        t.refuse("conduction is among all particles; write all", f"fix heat/gran {group}")
+        t.refuse("Suna's conduction acts among all particles; write group all", f"fix heat/gran {group}")
     if words[0] != "initial_temperature":
         t.refuse("initial_temperature is missing")
     found = Heat(name, t.number(words[1]), False, t.command.place)

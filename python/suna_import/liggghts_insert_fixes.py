@@ -43,13 +43,13 @@ def radii(t, rest):
     """Style and numbers of `radius`, and the words left."""
     style = rest.pop(0)
     if rest[0] == "mass":
-        t.refuse("drawn by mass; write number, with its numbers", f"radius {style} mass")
+        t.refuse("sizes are drawn by mass; write number, with a distribution by number", f"radius {style} mass")
     if rest[0] == "number":
         rest.pop(0)
     if style not in RADII:
         t.refuse("known: constant, uniform, gaussian, lognormal", f"radius {style}")
     if style == "lognormal" and t.units.name != "si":
-        t.refuse("lognormal in SI units only", "radius lognormal")
+        t.refuse("lognormal is read in SI units only", "radius lognormal")
     many = RADII[style]
     return style, t.numbers(rest[:many], "length"), rest[many:]
 
@@ -60,7 +60,7 @@ def distribution(by_mass):
         found = [t.find(t.templates, key, "particletemplate") for key in rows[0::2]]
         weights = numpy.array([t.number(word) for word in rows[1::2]])
         if (weights < 0).any() or not weights.any():
-            t.refuse(f"weights {' '.join(rows[1::2])}: none is below 0, and one is above")
+            t.refuse(f"weights {' '.join(rows[1::2])}: none may be below 0, and one must be above")
         if by_mass:
             weights = weights/[template.mass() for template in found]
         t.distributions[name] = Distribution(found, list(weights/weights.sum()))
@@ -198,7 +198,7 @@ def check(t, i):
     if i.distribution is None:
         t.refuse("distributiontemplate is missing")
     if len({bool(template.shape) for template in i.distribution.templates}) > 1:
-        t.refuse("spheres and clumps in one distribution; give each an insertion of its own", f"fix {i.fix}")
+        t.refuse("its distribution mixes spheres and clumps; give each an insertion of its own", f"fix {i.fix}")
     if i.style == "stream" and i.face is None:
         t.refuse("insertion_face is missing")
     if i.style != "stream" and i.region is None:

@@ -102,7 +102,7 @@ def table(rows, lines, names):
     own[numpy.unique(found.get("id", range(len(rows))), return_index=True)[1]] = True
     if not own.all():
         k = int(numpy.argmin(own))
-        raise BadFile(f"id {found['id'][k]} is there twice", lines[k])
+        raise BadFile(f"two particles have id {found['id'][k]}", lines[k])
     return found
 
 

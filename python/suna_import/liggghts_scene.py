@@ -67,6 +67,12 @@ class SceneMaker(Laws, Walls, Groups, Times):
     def refuse(self, place, word, sentence):
         self.report.refuse(place, word, sentence)
 
+    def lacks(self, place, word, sentence):
+        """Refuses, unless a refused line may define what is missing here."""
+        if self.t.faulty:
+            raise CannotTranslate(sentence)
+        self.refuse(place, word, sentence)
+
     def make(self):
         if self.state["model"] is None:
             self.refuse(self.stages[0].place, "run", "there is no pair_style gran before this line")
@@ -129,8 +135,9 @@ class SceneMaker(Laws, Walls, Groups, Times):
             if group != "all":
                 chosen = self.state["groups"].get(group, ())
                 if len(chosen) == 0:
-                    self.refuse(place, f"fix {name}",
-                                f"group {group} has no particles that the script names")
+                    self.lacks(place, f"fix {name}",
+                               f"group {group} has no particles of create_atoms or read_data; a force on chosen "
+                               "particles needs their ids")
                 ids = f"ids ({' '.join(map(str, chosen))}); "
             self.scene.named("forces", as_name(name), f"{ids}{kind} {vector(values)};", place)
 
@@ -144,8 +151,9 @@ class SceneMaker(Laws, Walls, Groups, Times):
                  for t in i.distribution.templates for k in (0, 1)}
         sizes |= set(numpy.round(self.particles.diameter, 15))
         if len(sizes) != 1:
-            self.refuse(place, "fix viscous",
-                        "stokesDrag grows with the diameter: it is the same only for one size")
+            refuse = self.refuse if sizes else self.lacks
+            refuse(place, "fix viscous",
+                   "stokesDrag grows with the diameter: it is the same only for one size")
         self.scene.add("effects", "stokesDrag {}", place)
         self.scene.add("fluid", f"density 1e-6; viscosity {text(gamma/(3*math.pi*sizes.pop()))};",
                        place)

@@ -42,7 +42,7 @@ class Laws:
         self.add_materials()
         base, names = self.state["model"], list(self.materials)
         if not names:
-            self.refuse(base.place, "pair_style", "there are neither particles nor walls at a run")
+            self.lacks(base.place, "pair_style", "there are neither particles nor walls at a run")
         main = self.of_particles[0] if self.of_particles else names[0]
         common = self.laws_of(main, main)
         if "rollingConstant" in common and any(t.shape for i in self.insertions for t in i.distribution.templates):

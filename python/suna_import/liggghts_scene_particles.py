@@ -92,8 +92,8 @@ class Groups:
 
     def add_packing_later(self, i, number):
         if not i.region.is_shape():
-            self.refuse(i.place, f"region {i.region.style}", "a packing during a run is in a "
-                        "block, cylinder or sphere; use one of these")
+            self.refuse(i.place, f"region {i.region.style}", "a packing that begins during a run "
+                        "needs a block, cylinder or sphere")
         self.add_streams(i, {"rate": NOW, "count": number}, i.shape(), i.start, math.inf)
         self.report.approximated(i.place, "insert/pack", "during a run: a stream that is due at "
                                  "once; random positions fill up to a third of the region, what "
@@ -151,7 +151,7 @@ class Groups:
     def add_stream(self, i):
         if self.is_frozen(i.group):
             self.refuse(i.place, f"insert/{i.style}",
-                        "no fix nve/sphere moves these particles, and a stream of Suna moves")
+                        "no fix nve/sphere integrates these particles, but particles of a stream move in Suna")
         amounts = {"rate": i.rate, "massRate": i.mass_rate, "count": i.count, "mass": i.mass}
         where = i.shape() if i.face is None else self.surface(i)
         self.add_streams(i, amounts, where, i.start, self.end_of(i))

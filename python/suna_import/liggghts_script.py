@@ -199,7 +199,7 @@ class Script:
     def evaluate(self, text):
         self.evaluated += 1
         if self.depth == MAX_DEPTH or self.evaluated > MAX_VALUES:
-            self._fault(f'"{text}"', "a variable needs itself, or too many others")
+            self._fault(f'"{text}"', "a variable refers to itself, or to too many others")
         self.depth += 1
         try:
             return Expression(text, self.number, self.keyword).value()
@@ -267,8 +267,8 @@ class Script:
     def _do_include(self, words):
         path = self._find(words[0], "include")
         if len(self.files) == MAX_FILES:
-            self._fault(f"include {words[0]}", f"is the file {MAX_FILES + 1} that is included in "
-                        "another one; does a file include itself?")
+            self._fault(f"include {words[0]}", f"more than {MAX_FILES} files include one "
+                        "another; does a file include itself?")
         self.files.append((self.path, self.name, self.lines, self.at))
         self._open(path)
 

@@ -44,7 +44,7 @@ def wall(t, name, group, words):
         t.refuse("known: primitive, mesh", f"fix wall/gran {rest[0]}")
     read_wall_keywords(t, found, rest)
     if found.meshes and found.velocity:
-        t.refuse("shear is for primitive walls; surface_vel of the mesh", "shear")
+        t.refuse("is for primitive walls; give the mesh surface_vel", "shear")
     t.walls[name] = found
     t.translated("walls")
 
@@ -78,7 +78,7 @@ def read_wall_keywords(t, found, rest):
             axis, speed = rest.pop(0), rest.pop(0)
             v = [0.0, 0.0, 0.0]
             if axis not in ("x", "y", "z") or found.primitive == axis + "plane":
-                t.refuse("is along a plane: x, y or z, not its normal", f"shear {axis}")
+                t.refuse("must be along the plane, not along its normal", f"shear {axis}")
             v["xyz".index(axis)] = t.number(speed, "velocity")
             found.velocity = tuple(v)
         elif key in ("store_force", "store_force_contact", "heat", "track_energy"):
@@ -108,7 +108,7 @@ def mesh(t, name, group, words):
             found.type = t.atom_type(given.pop(0))
         elif key in MESH_WORDS:
             if found.triangles is None and key != "file":
-                t.refuse("file comes before it", f"fix mesh/surface {key}")
+                t.refuse("must come after file", f"fix mesh/surface {key}")
             given = MESH_WORDS[key](t, found, given)
         elif key in MESH_HARMLESS:
             value = given.pop(0)
@@ -235,7 +235,7 @@ def mesh_servo(t, name, group, words):
         t.refuse("known is ctrlPV force; for a torque see hinge in docs/walls-and-boundaries.md",
                  f"ctrlPV {found.get('ctrlPV')}")
     if axis is None or "target_val" not in found or "vel_max" not in found:
-        t.refuse("axis, target_val and vel_max belong to it", "mesh/surface/stress/servo")
+        t.refuse("needs axis, target_val and vel_max", "mesh/surface/stress/servo")
     force, speed = t.number(found["target_val"], "force"), t.positive(found["vel_max"], "velocity")
     if force == 0:
         t.refuse("a servo needs a load that is not 0", "target_val 0")
@@ -258,18 +258,18 @@ def mesh_body(t, name, group, words):
     while given:
         key = given.pop(0)
         if key in ("rot_flip", "suspension"):
-            t.refuse("Suna's free walls do not know it", key)
+            t.refuse("Suna's free walls have no such setting", key)
         if key in BODY:
             found[key], given = given[:BODY[key]], given[BODY[key]:]
         else:
             others.append(key)
     if not {"com", "mass", "moi"} <= set(found):
-        t.refuse("com, mass and moi belong to it", "mesh/surface/stress/6dof")
+        t.refuse("needs com, mass and moi", "mesh/surface/stress/6dof")
     axes, rotations = ([a for a, flag in zip("xyz", found.get(key, "111")) if flag != "0"]
                        for key in ("forceflags", "torqueflags"))
     velocity = t.numbers(found.get("vel", ["0"]*3), "velocity")
     if not axes or any(v and a not in axes for a, v in zip("xyz", velocity)):
-        t.refuse("a free wall of Suna moves along an axis at least, and at rest along the others", "forceflags")
+        t.refuse("a free wall of Suna moves along at least one axis, and is at rest along the others", "forceflags")
     if len(rotations) == 2:
         t.refuse("walls of Suna rotate about one axis or about all", "torqueflags")
     if len(rotations) == 1:
@@ -279,7 +279,8 @@ def mesh_body(t, name, group, words):
     momentum = unit/t.units.si("time", 1)*numpy.array(t.numbers(found.get("angmom", ["0"]*3)))
     spin = numpy.linalg.solve(I[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]], momentum)
     if t.time > 0 and (any(velocity) or any(spin)):
-        t.refuse("a free wall of Suna that begins later begins at rest", "mesh/surface/stress/6dof")
+        t.refuse("after a run, a free wall of Suna begins at rest; leave out vel and angmom",
+                 "mesh/surface/stress/6dof")
     mesh_stress(t, name, group, others)
     t.meshes[name].motions.append(Motion("free", {
         "axes": axes, "rotations": rotations, "mass": t.positive(found["mass"][0], "mass"),

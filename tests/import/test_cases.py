@@ -662,7 +662,7 @@ def equations():
         assert ("viscousStress" in d.sub("effects")) == (model != "B")
     result = cfdem_case(coupling={"    gradPForce\n": "", "    Archimedes\n": ""})
     assert "pressureGradient" in result.d.sub("effects") and result.has(APPROXIMATED, "with buoyancy")
-    refuses("modelType", "without averaged equations", coupling={"modelType A": "modelType none"})
+    refuses("modelType", "has no averaged equations", coupling={"modelType A": "modelType none"})
     refuses("modelType", "A, B, Bfull", coupling={"modelType A": "modelType C"})
 
 
@@ -687,7 +687,7 @@ def kernels():
     s = numpy.linalg.solve(matrix, (x == 0).astype(float))
     assert abs((s*x**2).sum()/s.sum()/(width**2/2) - 1) < 1e-3
     refuses("smoothingModel", "known are", coupling={"smoothingModel off": "smoothingModel magic"})
-    refuses("dividedProps", "another volume", coupling={"alphaMin 0.3;": "alphaMin 0.3; weight 2;"})
+    refuses("dividedProps", "scales the volumes", coupling={"alphaMin 0.3;": "alphaMin 0.3; weight 2;"})
     refuses("dividedProps", "does not know", coupling={"alphaMin 0.3;": "alphaMin 0.3; moon 2;"})
 
 

@@ -219,7 +219,7 @@ def endless():
             ("variable a loop 1000000000\nlabel x\nnext a\njump SELF x", "100000 commands"),
             ("label x\njump SELF x", f"in.test:{first + 1}: ", "100000 commands"),
             ("include in.test", f"in.test:{first}: include in.test", "include itself"),
-            ("variable a equal v_a+1\nrun ${a}", f"in.test:{first + 1}: ", "needs itself"),
+            ("variable a equal v_a+1\nrun ${a}", f"in.test:{first + 1}: ", "refers to itself"),
             ("variable a0 equal 1\n" + "".join(f"variable a{k + 1} equal v_a{k}+v_a{k}\n"
              for k in range(18)) + "run ${a18}", "too many others"),
             (f"variable a equal {'('*5000}1{')'*5000}\nrun ${{a}}", "too many brackets"),
@@ -453,7 +453,7 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
             plate__stl=plate)
     refused(BASE.replace(line + "\n", pressed.replace("ctrlPV force", "ctrlPV torque")), "hinge",
             plate__stl=plate)
-    refused(BASE.replace(line + "\n", pressed.replace("vel_max 0.1 ", "")), "belong to it",
+    refused(BASE.replace(line + "\n", pressed.replace("vel_max 0.1 ", "")), "needs axis, target_val and vel_max",
             plate__stl=plate)
     worn = mesh.replace("scale 2", "scale 2 wear finnie")
     constant = "fix k all property/global k_finnie peratomtypepair 1 2e-10\n"
@@ -473,7 +473,7 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
         "motion { type free; axes (z); mass 3; rotations (x y z); centre (0 0 1); inertia (2 2 3 0 0 0.5); "
         "spin (1 0 0); velocity (0 0 -2); }")
     for words, sentence in (("torqueflags 1 1 0", "about one axis or about all"), ("forceflags 1 1 0", "at rest along"),
-                            ("suspension k_t 1 c_t 1 k_r 1 c_r 1", "do not know it")):
+                            ("suspension k_t 1 c_t 1 k_r 1 c_r 1", "have no such setting")):
         refused(BASE.replace(line + "\n", loose.replace("forceflags 0 0 1", words)), sentence, plate__stl=plate)
     refused(
     BASE.replace(
@@ -482,6 +482,30 @@ fix z0 all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad b
             line,
             "fix s all mesh/surface file nothing.stl type 1"),
              "no file nothing.stl")
+
+
+def missing_files():
+    """a file that is missing is one fault: lines that use what it defines have none of their own"""
+    lines = """region tets mesh/tet file none.vtk scale 1 move 0 0 0 rotate 0 0 0 units box
+region both union 2 box tets
+fix s all mesh/surface/stress file none.stl type 1 scale 2
+fix turn all move/mesh mesh s linear 0 0 1
+fix_modify turn integrate stop
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes s
+fix out all massflow/mesh mesh s vec_side 0 0 1 delete_atoms yes count once
+group g region tets
+fix push all addforce 0 0 1
+"""
+    insert = PACK.replace("region box", "region both") + """fix stream all insert/stream seed 32452867 &
+    distributiontemplate pdd nparticles 10 particlerate 100 overlapcheck yes vel constant 0 0 -1 &
+    insertion_face s extrude_length 0.01
+fix drag all viscous 1e-6
+"""
+    script = BASE.replace("fix z0", "# fix z0").replace(PACK, lines + insert).replace(RUN, RUN + "unfix w\n" + RUN)
+    for text, count in ((script, 2), (script.replace("fix push all", "fix push g"), 2),
+                        (script.replace("fix s all", "fix t all"), 6)):
+        found = refused(text, "no file none.vtk", "no file none.stl").splitlines()
+        assert len(found) == count, found
 
 
 def names():
@@ -538,7 +562,7 @@ fix m3""")
     refused(stiff.replace("gammat peratomtypepair 1 0", "gammat peratomtypepair 1 5"), "gammat",
             "Suna damps slip")
     plane = BASE.replace("zplane 0.0", "zplane 0.0 shear z 0.1")
-    refused(plane, f"in.test:{line_of(plane, 'shear')}", "not its normal")
+    refused(plane, f"in.test:{line_of(plane, 'shear')}", "along its normal")
     refused(ONE.replace("run 1000", "variable f equal step*1e-6\nfix x all addforce v_f 0 0\nrun 1000"),
             "step is known only in a run")
     for line in ("velocity all set 0 0 1 sum yes", "fix x all addforce 0 0 1 region box",
@@ -699,7 +723,7 @@ def clumps():
             nut__txt="0 0 0 0.001\n0.001 0 0 0.001\n")
     refused(script.replace("ntry 100000", "inertia_tensor 1"), "mass and inertia of the spheres' union")
     both = script.replace(nut, f"{nut}\n{line.replace('pts', 'ball')}").replace("1 pts 1.0", "2 pts 0.5 ball 0.5")
-    refused(both, "spheres and clumps in one distribution")
+    refused(both, "mixes spheres and clumps")
     refused(script.replace("pair_style gran model hertz tangential history",
                            "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
                            "pair_style gran model hertz tangential history rolling_friction cdt"),
@@ -947,9 +971,9 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # centre of mass [m] in LIGGGHTS 3.8.0 (Debian 3.8.0+repack1-9), 24 November 2026, `liggghts -var seed SEED -in cup.in`
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
-TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls, names, belt,
-         other_meanings, lost_output, series,
-         restart_files, insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
+TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls,
+         missing_files, names, belt, other_meanings, lost_output, series, restart_files,
+         insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, stored, conduction]
 
 

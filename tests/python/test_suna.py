@@ -137,16 +137,19 @@ def files():
         suna.tables(".")
         raise AssertionError("there are no tables")
     except suna.FileError as error:
-        assert "postProcessing/dem" in str(error) and "read_table" in str(error)
+        assert "postProcessing/dem" in str(error) and "effects.csv" in str(error)
 
 
 def program():
     """tables and pictures of the program dem are read with names, units and effects"""
     assert os.system(f'{os.environ["DEM"]} run -set write/interval 0.01 -set write/walls 0.01 '
-                     '-set write/folder \'"out"\' -set time/end 0.03 scene.dem > log 2>&1') == 0
+                     '-set write/energy 0.01 -set write/csv yes -set write/folder \'"out"\' -set time/end 0.03 scene.dem > log 2>&1') == 0
     walls = suna.read_table("out/walls.csv")
     assert len(walls) == 3 and walls.attrs["units"]["fz"] == "N"
     assert walls.attrs["effects"] == ["hertz", "dry", "mindlin", "gravity"]
+    tables = suna.tables("out")
+    assert set(tables) == {"walls", "energy"} and tables["walls"].equals(walls), set(tables)
+    assert tables["energy"].attrs["effects"] == walls.attrs["effects"]
     last = suna.read_vtp(sorted(Path("out").glob("particles_*.vtp"))[-1])
     state = suna.read_snapshot("out/snapshot.dem")["particles"]
     a, b = numpy.argsort(last["id"]), numpy.argsort(state["id"])

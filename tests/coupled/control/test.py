@@ -1,5 +1,5 @@
 """Time controls of controlDict and of the function object apply to particles as to fields: timeStart, timeEnd,
-purgeWrite, writing and stopping on request, -postProcess. Settings that would lose steps or cells are refused.
+enabled, purgeWrite, writing and stopping on request, -postProcess. Settings that would lose steps or cells are refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -31,6 +31,69 @@ for way in ("no", "yes"):
     claim(f"{what}: the sphere has fallen for 81 ms", close(fallen(case, "0.1"), speed(0.081, 10, 1e-4), 0.02))
     claim(f"{what}: it is written when it moves",
           written(case/"0.05/uniform/dem.snapshot") and not (case/"0.15/uniform/dem.snapshot").exists())
+
+# ---- changes of the function object in a run --------------------------------------------------------
+
+switch = """functions
+{{
+    particles {{ type demCloud; libs ("libdemCoupling.so"); {entries} }}
+    {update}
+}}
+OptimisationSwitches {{ fileModificationSkew 0; }}
+"""
+update = """update
+    {
+        type timeActivatedFileUpdate; libs ("libutilityFunctionObjects.so");
+        fileToUpdate "<system>/controlDict";
+        timeVsFile ( (-1 "<system>/first") (0.0495 "<system>/second") (0.0995 "<system>/first") );
+    }"""
+
+
+def changes(name, way, second, first=""):
+    """A run to 0.15 s whose function object has entries `first`, and `second` in the steps from 0.05 to 0.1 s."""
+    case = prepare("pimpleFoam", one + f"coupling {{ rho 10; twoWay {way}; }}", name)
+    case.edit(control, endTime=0.15, runTimeModifiable="yes")
+    plain = case.read(control)
+    plain = plain[:plain.index("functions")]
+    for file, entries in (("first", first), ("second", second)):
+        case.write(f"system/{file}", plain + switch.format(entries=entries, update=update))
+    case.copy(case/"system/first", control)
+    return case
+
+
+for way in ("no", "yes"):
+    what = f"enabled no in a run, two-way {way}"
+    case = changes(f"disabled-{way}", way, "enabled no;", "writeControl writeTime;" if way == "no" else "")
+    claim_runs(f"{what}: runs", case, "pimpleFoam")
+    claim(f"{what}: particles stand still in 50 of 150 steps",
+          len(re.findall("Suna: 1 particles, .* DEM steps, void", case.log("pimpleFoam"))) == 100)
+    claim(f"{what}: the sphere has fallen for 100 ms", lambda: close(fallen(case, "0.15"), speed(0.1, 10, 1e-4), 0.02))
+    claim(f"{what}: the log tells it", "functions/particles is disabled: the particles stand still" in
+          case.log("pimpleFoam") and "functions/particles is enabled again" in case.log("pimpleFoam"))
+
+# by hand: OpenFOAM deletes it before it has called it for the last step
+case = prepare("pimpleFoam", one + "coupling { rho 10; }", "by-hand")
+case.edit(control, endTime=1000, writeInterval=1000, runTimeModifiable="yes")
+case.append(control, "OptimisationSwitches { fileModificationSkew 0; }\n")
+solver = case.start("pimpleFoam")
+until(lambda: "Suna: exchange error" in case.log("pimpleFoam"))
+time.sleep(1)                                         # at least, between two dates of a file
+case.sub(control, "type *demCloud;", r"\g<0> enabled no;")
+claim("enabled no by hand: the log tells it",
+      until(lambda: "functions/particles is disabled" in case.log("pimpleFoam")))
+time.sleep(1)
+case.edit(control, stopAt="writeNow")
+claim("enabled no by hand: the run goes on and ends properly", case.ended(solver) == 0)
+claim("enabled no by hand: the last step of the particles is complete",
+      len(re.findall("DEM steps, void", case.log("pimpleFoam")))
+      == len(re.findall("Suna: exchange error", case.log("pimpleFoam"))))
+
+# it had no time control: OpenFOAM makes it anew; when the entry is taken out, OpenFOAM keeps it
+case = changes("late-end", "yes", "timeEnd 0.08;")
+claim_runs("timeEnd that is added in a run: runs", case, "pimpleFoam")
+claim("timeEnd that is added in a run: particles stand still after it",
+      len(re.findall("Suna: 1 particles, .* DEM steps, void", case.log("pimpleFoam"))) == 80
+      == len(re.findall("Suna: exchange error", case.log("pimpleFoam"))))
 
 # ---- purgeWrite, stopping on demand, -postProcess, on the same run ----------------------------------
 

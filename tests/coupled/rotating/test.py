@@ -224,6 +224,30 @@ gained = (case.column("0.004", "U") - case.column("0.001", "U")) @ [1, 1j, 0]
 claim("held, mesh: Du/Dt of fluid in a mesh that rotates", len(seeds) > 20
       and abs(gained - expected).max() < 0.01*abs(expected).max(), abs(gained - expected).max()/abs(expected).max())
 
+# ---- sides that do not cover each other -------------------------------------------------------------
+
+# two boxes of 10 mm side by side, the right one 5.5 mm further back: of its 4 rows of faces, and of the left one's, one
+# is whole, one has 80 %
+case = Case("uncovered")
+case.controls(0.01, 1e-3, functions=OBJECT, nu=1e-5)
+case.mesh([(10*(x + side), 10*y + 5.5*side, 10*z) for side in (0, 1) for z in (0, 1) for y in (0, 1) for x in (0, 1)],
+          [f"({n} {n + 1} {n + 3} {n + 2} {n + 4} {n + 5} {n + 7} {n + 6}) (4 4 4)" for n in (0, 8)],
+          {"left": "type cyclicAMI; neighbourPatch right; lowWeightCorrection 0.2; faces ((1 3 7 5));",
+           "right": "type cyclicAMI; neighbourPatch left; lowWeightCorrection 0.2; faces ((8 12 14 10));",
+           "walls": "type wall; faces ((0 4 6 2) (9 11 15 13) (0 1 5 4) (2 6 7 3) (8 9 13 12) (10 14 15 11) (0 2 3 1) "
+                    "(4 5 7 6) (8 10 11 9) (12 13 15 14));"}, scale=0.001)
+between = '"(left|right)" { type cyclicAMI; value uniform '
+case.flow("(0 0 0)", f"walls {{ type noSlip; }} {between} (0 0 0); }}",
+          f"walls {{ type zeroGradient; }} {between} 0; }}")
+case.properties(GLASS, "hertz {} dry { restitution 0.5; } wenYu {}",
+                "one { type list; diameter 1e-4; velocity (1 0 0); positions ((0.009 0.001 0.005)); }", "rho 1;")
+ran = case.run("pimpleFoam")
+text = " ".join(ran.log.split())
+claim("faces that the other side covers in part are warned of before the run",
+      "the other side covers less than 90 % of 24 of 32 faces of cyclicAMI patches" in text, text[-3000:])
+claim("a particle that reaches a face without cover ends the run",
+      ran.status == 1 and "1 particle(s) outside the mesh" in text, text[-3000:])
+
 # ---- refused ---------------------------------------------------------------------------------------
 
 case = Rings("refused")

@@ -1,7 +1,7 @@
 """The start of coupled runs, in a cylinder of 12 mm with a mesh of 16 flat faces around.
 
 - Groups of insert fill the mesh and its zones without touching the walls, with the same digits on two ranks.
-- A snapshot made in a smooth cylinder is refused.
+- A snapshot made in a smooth cylinder is refused; a scene that is newer than its snapshot is warned of.
 - demPimpleFoam -settle makes a snapshot within the walls of the mesh, with the same bits on two ranks; the coupled run
   starts from it at rest, or frozen.
 
@@ -138,6 +138,18 @@ case.run("dem", "run", "-set", "walls/tube/radius", "0.005895",
          "-set", "insert/one/positions", "((0.0029972951 0.0044857788 0.01))", "smooth.dem")
 claim_runs("from a cylinder that overlaps by 1 %: runs", case)
 claim("from the smooth cylinder: a warning", "settled in other walls" in case.log())
+
+# the scene of the snapshot, by its date
+newer = "smooth.dem is newer than smooth/snapshot.dem, with whose particles the run begins"
+claim("the scene of the snapshot is older: no warning", newer not in " ".join(case.log().split()))
+later = time.time() + 3600
+os.utime(case/"smooth.dem", (later, later))
+case.remove("[0-9]*.[0-9]*")
+case.run("demPimpleFoam", "-plan", limit=60)
+claim("the scene of the snapshot is newer: the plan warns", newer in " ".join(case.log().split()),
+      *case.log().splitlines()[-20:])
+claim_runs("the scene of the snapshot is newer: runs", case)
+claim("the scene of the snapshot is newer: the run warns", newer in " ".join(case.log().split()))
 
 # ---- a bed at rest in the walls of the mesh ---------------------------------------------------------
 
