@@ -264,16 +264,19 @@ void Foam::demDriver::meshMoves() const
 }
 
 
-bool Foam::demDriver::active() const
+bool Foam::demDriver::inPeriod() const
 {
     const Time& time = mesh_.time();
     const scalar half = 0.5*time.deltaTValue();
 
     // Same tolerance as functionObjects::timeControl
-    return
-        time.timeIndex() > without_
-     && time.value() >= from_ - half
-     && time.value() <= until_ + half;
+    return time.value() >= from_ - half && time.value() <= until_ + half;
+}
+
+
+bool Foam::demDriver::active() const
+{
+    return mesh_.time().timeIndex() > without_ && inPeriod();
 }
 
 
@@ -282,7 +285,7 @@ void Foam::demDriver::adjustStep()
     const Time& time = mesh_.time();
     word name;
     const scalar deltaT = time.deltaTValue();
-    const scalar ratio = steady_ || !active() ? 0 : stepControl_.particleRatio(deltaT, name);
+    const scalar ratio = steady_ || !inPeriod() ? 0 : stepControl_.particleRatio(deltaT, name);
 
     if (ratio > 1)
     {
