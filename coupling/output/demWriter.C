@@ -6,7 +6,6 @@
 
 #include "demWriter.H"
 #include "demColumns.H"
-#include "demDecimal.H"
 #include "demRankBuffers.H"
 #include "IOdictionary.H"
 #include "IOField.H"
@@ -167,22 +166,15 @@ public:
 
     virtual bool writeData(Ostream& os) const
     {
+        const int before = os.precision(15);
+
         os  << all_.size()/each_ << nl << "(" << nl;
         for (label at = 0; at < all_.size(); at += each_)
         {
-            char line[128];
-            char* to = line;
-
-            *to++ = '(';
-            for (label k = 1; k <= 3; ++k)
-            {
-                to = demDecimal(to, all_[at + k]);
-                *to++ = k < 3 ? ' ' : ')';
-            }
-            *to = '\0';
-            os  << line << ' ' << label(all_[at]) << nl;
+            os  << three(all_, at + 1) << ' ' << label(all_[at]) << nl;
         }
         os  << ")" << nl;
+        os.precision(before);
         return !os.bad();
     }
 };
