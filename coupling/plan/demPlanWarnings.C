@@ -277,7 +277,7 @@ void Foam::demPlan::baffleWarning(DynamicList<string>& warnings) const
         warnings.append
         (
             "patch " + names + ": both sides of a baffle share their points (" + name(n/2) + " faces), so"
-            " kernels reach through it; run mergeOrSplitBaffles -split -overwrite"
+            " kernels except divided and particleCentre reach through it; run mergeOrSplitBaffles -split -overwrite"
         );
     }
 }

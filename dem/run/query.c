@@ -54,7 +54,7 @@ int dem_totals(struct dem *d, struct dem_totals *t)
     const struct dem_flows *const f = d->state.flows;
     fenv_t caller;
 
-    feholdexcept(&caller);
+    feholdexcept(&caller);    /* a number that is not finite is for the caller to find, not a trap */
     dem_totals_tally(&d->state, t);
     fesetenv(&caller);
     for (int k = 0; k < f->n; k++)
