@@ -109,7 +109,7 @@ def stopped(solver, ranks, sent):
     case.edit("system/controlDict", endTime=end, writeInterval=0.001, startFrom="latestTime")
     claim_runs(f"{what}: it continues with startFrom latestTime", case, solver, ranks=ranks)
     (case/folder/end).rename(case/"continued")
-    case.remove("0.0*", "processor*/0.0*")
+    case.remove("0.[0-9]*", "processor*/0.[0-9]*")
     case.run(solver, ranks=ranks)
     claim(f"{what}: with the bits of a run that was not stopped",
           all(agrees(case/"continued"/field, case/folder/end/field) for field in ("U", "phi", "p")) and
