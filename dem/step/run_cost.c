@@ -2,8 +2,9 @@
  * run_cost.c -- estimate memory by counting, processor time by timing a sample.
  *
  * The block (sample_block.h), as large as the part of the scene that a rank has, up to 250000
- * spheres, runs for 0.1 s of processor time or 20 steps. It has other walls and communication
- * between ranks than the scene: the estimate is good to a factor of 2.
+ * spheres, makes steps for 0.02 s of processor time, at least 5, after 5 that fill caches and memory;
+ * then its lists are made as long. It has other walls and communication between ranks than the scene:
+ * the estimate is good to a factor of 2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -74,10 +75,10 @@ static void count_bytes(const struct dem_state *state, const struct dem_inventor
 
 enum
 {
-    STEPS = 10                                            /* of a window */
+    STEPS = 5                                             /* of a window */
 };
 
-static const double long_enough = 0.1;                    /* s of processor time */
+static const double long_enough = 0.02;                   /* s of processor time */
 
 /* Spheres, some 200 MB: past any cache near a core, more change the time no further. */
 static const int64_t max_block = 250000;
@@ -110,19 +111,23 @@ static int time_steps(struct dem_state *q, double dt, double *each)
 static int time_lists(struct dem_state *q, double *renew, double *prune)
 {
     const double start = now();
-    double middle;
+    double middle, end;
+    int renewed = 0, pruned = 0;
 
-    for (int k = 0; k < 3; k++)
+    do
     {
         DEM_TRY(dem_neighbor_rebuild(q));
-    }
-    middle = now();
-    for (int k = 0; k < 10; k++)
+        renewed++;
+        middle = now();
+    } while (middle - start < long_enough);
+    do
     {
         DEM_TRY(dem_pairs_prune(&q->pairs, &q->particles, &q->walls, &q->contacts));
-    }
-    *renew = (middle - start)/(3.0*(double)q->particles.n);
-    *prune = (now() - middle)/(10.0*(double)q->particles.n);
+        pruned++;
+        end = now();
+    } while (end - middle < long_enough);
+    *renew = (middle - start)/(renewed*(double)q->particles.n);
+    *prune = (end - middle)/(pruned*(double)q->particles.n);
     return DEM_OK;
 }
 
