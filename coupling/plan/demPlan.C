@@ -112,11 +112,10 @@ Foam::scalar Foam::demPlan::bedVoidFraction() const
 }
 
 
-// Drag that the width of the kernel removes from a bed of this void fraction
-void Foam::demPlan::reportKernel(const scalar bed) const
+// Drag that the width of the kernel removes from a bed of this void fraction and cross-section [m2]
+void Foam::demPlan::reportKernel(const scalar bed, const scalar section) const
 {
     const scalar layer = transfer_.surfaceLayer();
-    const scalar section = crossSection();
 
     if (!particles_.twoWay() || layer <= 0 || section <= 0 || bed > DEM_BED_VOID_FRACTION)
     {
@@ -199,6 +198,6 @@ void Foam::demPlan::report(const demFlow& flow, const step& fluid)
             << " particles now; where they go into the other one, laws that are negligible here"
             << " may be needed" << nl << endl;
     }
-    reportKernel(bedVoidFraction());
+    reportKernel(bedVoidFraction(), ahead.cross_section);
     warn(flow, ahead);
 }

@@ -137,9 +137,12 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
             open += (open.empty() ? "" : ", ") + patch.name();
         }
     }
+    if (open.empty())
+    {
+        return;
+    }
     demCheck(dem_scene_numbers(particles_.core(), &scene));
-    const bool move = scene.moving_mass > 0 || scene.streams;
-    if (move && !open.empty())
+    if (scene.moving_mass > 0 || scene.streams)
     {
         warnings.append
         (
@@ -211,11 +214,11 @@ void Foam::demPlan::ownWakeWarning(DynamicList<string>& warnings) const
 void Foam::demPlan::overfullWarning(DynamicList<string>& warnings) const
 {
     const label n = transfer_.limiter().nOverfull();
-    struct dem_scene_numbers now;
-    demCheck(dem_scene_numbers(particles_.core(), &now));
 
     if (n)
     {
+        struct dem_scene_numbers now;
+        demCheck(dem_scene_numbers(particles_.core(), &now));
         warnings.append
         (
             "the particles leave less than minVoidFraction " + name(transfer_.minVoidFraction())

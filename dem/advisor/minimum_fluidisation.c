@@ -60,13 +60,18 @@ static double slip_at(const struct dem *d, const struct dem_suspension *b,
     return 0.5*(low + high);
 }
 
+/* N: what the drag on a particle carries at minimum fluidisation */
+static double carried(const struct dem_suspension *b, double void_fraction)
+{
+    const double density = b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
+
+    return density*volume(b)*b->gravity;
+}
+
 double dem_suspension_fluidisation_velocity(const struct dem *d,
                                             const struct dem_suspension *b, double void_fraction)
 {
-    const double supported =
-        b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
-
-    return void_fraction*slip_at(d, b, void_fraction, supported*volume(b)*b->gravity);
+    return void_fraction*slip_at(d, b, void_fraction, carried(b, void_fraction));
 }
 
 double dem_suspension_terminal_velocity(const struct dem *d,
@@ -95,24 +100,32 @@ double dem_sphere_terminal_velocity(double diameter, double density, double flui
     return 0.5*(low + high);
 }
 
+/* 1 when U m/s (superficial) lifts the particles at this void fraction: b u increases with u */
+static int lifts(const struct dem *d, const struct dem_suspension *b, double void_fraction, double U)
+{
+    const double u = U/void_fraction;
+
+    return dem_drag_coefficient(d, b, void_fraction, u)*u > carried(b, void_fraction);
+}
+
 double dem_suspension_expanded_void_fraction(const struct dem *d,
                                              const struct dem_suspension *b, double packed,
                                              double U)
 {
     double low = packed, high = 1.0;
 
-    if (dem_suspension_fluidisation_velocity(d, b, low) >= U)
+    if (!lifts(d, b, low, U))
     {
         return 0.0;
     }
-    if (dem_suspension_fluidisation_velocity(d, b, high) <= U)
+    if (lifts(d, b, high, U))
     {
         return 1.0;
     }
     for (int k = 0; k < 40; k++)
     {
         const double e = 0.5*(low + high);
-        const int less = dem_suspension_fluidisation_velocity(d, b, e) < U;
+        const int less = lifts(d, b, e, U);
 
         low = less ? e : low;
         high = less ? high : e;

@@ -1,7 +1,7 @@
 /*
  * bed_packing.c -- find the slab of a bed between 10 and 90 % of its volume, and what it holds.
  *
- * F(z) is summed over all particles for each step of a bisection, 34 times: to 1e-10 of the height.
+ * F(z) is summed over all particles for each step of a bisection, 20 times: to 1e-6 of the height.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -25,7 +25,7 @@ static double volume_below(const struct dem_state *state, const double up[3], do
     for (size_t i = 0; i < state->particles.n; i++)
     {
         const struct dem_particle *const r = &state->particles.record[i];
-        const double s = fmax(-1.0, fmin(1.0, (z - height(r, up))/r->radius));
+        const double s = fmin(1.0, (z - height(r, up))/r->radius);
 
         if (s > -1.0 && (all || !(r->flags & DEM_PARTICLE_FROZEN)))
         {
@@ -41,7 +41,7 @@ static double height_of(const struct dem_state *state, const double up[3], const
 {
     double low = range[0], high = range[1];
 
-    for (int k = 0; k < 34; k++)
+    for (int k = 0; k < 20; k++)
     {
         const double z = 0.5*(low + high);
         const int below = volume_below(state, up, z, 0) < volume;
