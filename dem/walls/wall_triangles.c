@@ -16,7 +16,17 @@
 static void sort_corners(const struct dem_triangle *t, double key[3][3])
 {
     memcpy(key, t->corner, sizeof t->corner);
-    dem_sort_by(key, 3, sizeof key[0], dem_walls_compare_corners);
+    for (int k = 0; k < 3; k++)
+    {
+        double *const p = key[k%2], *const q = key[k%2 + 1], held[3];
+
+        if (dem_walls_compare_corners(p, q) > 0)
+        {
+            memcpy(held, p, sizeof held);
+            memcpy(p, q, sizeof held);
+            memcpy(q, held, sizeof held);
+        }
+    }
 }
 
 static int compare_triangles(const void *a, const void *b)
