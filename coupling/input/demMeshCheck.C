@@ -6,9 +6,8 @@
 
 #include "demMeshCheck.H"
 #include "demPassable.H"
+#include "demCellTree.H"
 #include "bitSet.H"
-#include "indexedOctree.H"
-#include "treeDataCell.H"
 
 namespace Foam
 {
@@ -85,9 +84,7 @@ static label overlaps
 
     forAll(points, k)
     {
-        const treeBoundBox here(points[k], points[k]);
-
-        for (const label celli : mesh.cellTree().findBox(here))
+        for (const label celli : demCellTree::New(mesh).around(points[k]))
         {
             if ((own.empty() || celli != own[k]) && isInside(mesh, points[k], celli))
             {

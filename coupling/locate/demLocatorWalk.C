@@ -5,8 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demLocator.H"
-#include "indexedOctree.H"
-#include "treeDataCell.H"
+#include "demCellTree.H"
 
 namespace Foam
 {
@@ -291,14 +290,14 @@ Foam::label Foam::demLocator::search
         return t.cell;
     }
 
-    const label celli = mesh_.cellTree().findInside(position);
+    const label celli = demCellTree::New(mesh_).cell(position);
     if (celli >= 0)
     {
         distance = 0;
         return celli;
     }
 
-    const label nearest = mesh_.cellTree().findNearest(position, sqr(GREAT)).index();
+    const label nearest = demCellTree::New(mesh_).nearest(position);
     distance = mag(mesh_.cellCentres()[nearest] - position);
     return nearest;
 }
