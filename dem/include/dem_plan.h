@@ -47,7 +47,7 @@ struct dem_run_info
 /* Collective; in coupled runs after the fluid columns have been written. A report on the run ahead:
    effects, walls, particles, time step, bed, fluid, memory and run time, as lines of text, the same
    on all ranks, valid until the next dem_plan of this thread. Measures steps and lists of as many
-   particles as a rank has, at most 250000, for 0.02 s each, at least 5 steps. No particle moves; views
+   particles as a rank has, at most 250000, for 0.02 s each, at least 10 steps. No particle moves; views
    stay valid. */
 int dem_plan(struct dem *, const struct dem_run_info *, const char **text);
 

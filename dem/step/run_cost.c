@@ -2,9 +2,9 @@
  * run_cost.c -- estimate memory by counting, processor time by timing a sample.
  *
  * The block (sample_block.h), as large as the part of the scene that a rank has, up to 250000
- * spheres, makes steps for 0.02 s of processor time, at least 5, after 5 that fill caches and memory;
- * then its lists are made as long. It has other walls and communication between ranks than the scene:
- * the estimate is good to a factor of 2.
+ * spheres, makes steps for 0.02 s of processor time, at least 10, after one that fills caches and
+ * memory; then its lists are made as long. It has other walls and communication between ranks
+ * than the scene: the estimate is good to a factor of 2.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -75,7 +75,7 @@ static void count_bytes(const struct dem_state *state, const struct dem_inventor
 
 enum
 {
-    STEPS = 5                                             /* of a window */
+    STEPS = 10                                            /* of a window */
 };
 
 static const double long_enough = 0.02;                   /* s of processor time */
@@ -88,7 +88,7 @@ static double now(void)
     return (double)clock()/CLOCKS_PER_SEC;
 }
 
-/* Times windows until they took long enough, without the first one, which fills caches and
+/* Times windows until they took long enough, without the first step, which fills caches and
    memory. */
 static int time_steps(struct dem_state *q, double dt, double *each)
 {
@@ -98,7 +98,7 @@ static int time_steps(struct dem_state *q, double dt, double *each)
     for (; windows < 2 || now() - start < long_enough; windows++)
     {
         start = windows == 1 ? now() : start;
-        DEM_TRY(dem_step_window(q, dt, STEPS));
+        DEM_TRY(dem_step_window(q, dt, windows == 0 ? 1 : STEPS));
         for (size_t i = 0; i < q->particles.n; i++)    /* nothing holds the block: it would fall */
         {
             memset(q->particles.record[i].v, 0, sizeof q->particles.record[i].v);
