@@ -40,7 +40,7 @@ void Foam::demCloud::advance(const demFlow& flow)
 
     particles_.locate();
     volume_.deposit();
-    exchange_.toFluid();
+    exchange_.toFluid(flow);
     if (heat_.valid())
     {
         heat_().toFluid();

@@ -8,6 +8,7 @@
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demFiles.H"
+#include "demReaction.H"
 #include "demSelfCheck.H"
 #include "demSnapshot.H"
 #include "demTurbulenceProduction.H"
@@ -225,7 +226,7 @@ void Foam::demExchange::toParticles(const demFlow& flow)
 }
 
 
-void Foam::demExchange::toFluid()
+void Foam::demExchange::toFluid(const demFlow& flow)
 {
     withoutFactors_ = false;
 
@@ -251,8 +252,13 @@ void Foam::demExchange::toFluid()
         }
         depositTurbulence();
 
-        transfer_.deposit(response, drag_.ref());
-        transfer_.deposit(reaction, force_.ref());
+        scalarField carried(response);
+        dem_fluid_carried(particles_.core(), carried.begin());
+        demReaction::deposit
+        (
+            transfer_, response, carried, flow.U, reaction,
+            force_.primitiveFieldRef(), drag_.primitiveFieldRef()
+        );
         drag_.correctBoundaryConditions();
         force_.correctBoundaryConditions();
     }

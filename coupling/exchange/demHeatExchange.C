@@ -8,6 +8,7 @@
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demFiles.H"
+#include "demReaction.H"
 #include "demRecord.H"
 #include "demSelfCheck.H"
 
@@ -235,8 +236,12 @@ void Foam::demHeatExchange::toFluid()
         source[i] = (x.response[i]*before[i] - x.received[i])/T;
         coefficient[i] = x.response[i]/T;
     }
-    transfer_.deposit(source, source_.ref());
-    transfer_.deposit(coefficient, coefficient_.ref());
+    // the fluid heats all particles, also those that lie still
+    demReaction::deposit
+    (
+        transfer_, coefficient, coefficient, *T_, source,
+        source_.primitiveFieldRef(), coefficient_.primitiveFieldRef()
+    );
 }
 
 

@@ -62,6 +62,7 @@ void Foam::demTransfer::read()
 void Foam::demTransfer::setWidths()
 {
     forget();
+    shortWaves_.clear();
     kernel_().setWidth(diameter_, width_*diameter_);
     if (lawWidth_ > 0)
     {
@@ -74,6 +75,7 @@ void Foam::demTransfer::build()
 {
     routing_.clear();
     kernel_.clear();
+    shortWaves_.clear();
     if (demSlidingInterface::any(mesh_))
     {
         interface_.reset(new demSlidingInterface(mesh_));
@@ -335,6 +337,22 @@ void Foam::demTransfer::deposit
 }
 
 
+template<class Type>
+void Foam::demTransfer::removeShortWaves(Field<Type>& cells) const
+{
+    if (!shortWaves_.valid())
+    {
+        shortWaves_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
+        shortWaves_().setWidth(width_*diameter_/3, -1.0/8.0, 0);
+    }
+    shortWaves_().smooth(cells);
+
+    Field<Type> twice(cells);
+    shortWaves_().smooth(twice);
+    cells += cells - twice;
+}
+
+
 void Foam::demTransfer::depositVolume
 (
     const UList<scalar>& volumes,
@@ -357,6 +375,8 @@ void Foam::demTransfer::depositVolume
                                                                                \
 template Foam::tmp<Foam::Field<Foam::Type>>                                    \
 Foam::demTransfer::sample(const UList<Type>&) const;                           \
+                                                                               \
+template void Foam::demTransfer::removeShortWaves(Field<Type>&) const;         \
                                                                                \
 template void Foam::demTransfer::deposit                                       \
 (const UList<Type>&, Field<Type>&) const;                                      \

@@ -197,6 +197,23 @@ int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, 
     return DEM_OK;
 }
 
+void dem_fluid_carried(const struct dem *d, double *coefficient)
+{
+    const struct dem_particles *const p = &d->state.particles;
+    const double *const density = dem_column(p, DEM_COLUMN_FLUID_DENSITY);
+
+    for (size_t i = 0; density && i < p->n; i++)
+    {
+        const struct dem_particle *const r = &p->record[i];
+        const double displaced = density[i]*dem_totals_volume(&d->state, r);
+
+        if (r->inverse_mass == 0.0 || r->mass >= DEM_EXCHANGE_LIGHT*displaced)
+        {
+            coefficient[i] = 0.0;
+        }
+    }
+}
+
 void dem_fluid_interface_force(const struct dem *d, double *force)
 {
     const struct dem_particles *const p = &d->state.particles;
