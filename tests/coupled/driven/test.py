@@ -90,7 +90,8 @@ def channel(solver, stress):
     case.remove("1")
     case.edit("system/controlDict", startFrom="latestTime")
     claim_runs(f"{what}: restarts", case, solver)
-    claim(f"{what}: it has started at 0.5 s", "Time = 0.505" in case.log(solver) and "Time = 0.5\n" not in case.log(solver))
+    log = case.log(solver)
+    claim(f"{what}: it has started at 0.5 s", "Time = 0.505\n" in log and "Time = 0.5\n" not in log)
     # meanVelocityForce adds in another order after a restart. A gradient that misses in one step moves them 7e-7 m
     claim(f"{what}: the spheres are where they were, with their velocities (1e-14 m, m/s)",
           lambda: difference(case.particles("1", "positions", "U"), straight) < 1e-14)
