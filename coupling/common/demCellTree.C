@@ -12,7 +12,7 @@ namespace Foam
     defineTypeNameAndDebug(demCellTree, 0);
 
     // A little larger than the mesh and without its symmetry, as in polyMesh::cellTree()
-    static treeBoundBox around(const pointField& points)
+    static treeBoundBox slightlyLarger(const pointField& points)
     {
         Random random(261782);
         return treeBoundBox(points).extend(random, 1e-4);
@@ -26,7 +26,7 @@ Foam::demCellTree::demCellTree(const fvMesh& mesh)
     tree_
     (
         treeDataCell(true, mesh, polyMesh::CELL_TETS),
-        Foam::around(mesh.points()),
+        slightlyLarger(mesh.points()),
         8,                      // levels at most
         10,                     // cells in a leaf
         5                       // leaves of a cell, on average
@@ -39,6 +39,7 @@ Foam::labelList Foam::demCellTree::around(const point& x) const
     const treeBoundBox here(x, x);
     DynamicList<label> cells;
 
+    // a leaf has the cells whose boxes overlap the leaf's
     for (const label celli : tree_.findIndices(x))
     {
         if (tree_.shapes().overlaps(celli, here))

@@ -80,11 +80,12 @@ static label overlaps
     point& first
 )
 {
+    const demCellTree& tree = demCellTree::New(mesh);
     label n = 0;
 
     forAll(points, k)
     {
-        for (const label celli : demCellTree::New(mesh).around(points[k]))
+        for (const label celli : tree.around(points[k]))
         {
             if ((own.empty() || celli != own[k]) && isInside(mesh, points[k], celli))
             {

@@ -60,8 +60,8 @@ static double slip_at(const struct dem *d, const struct dem_suspension *b,
     return 0.5*(low + high);
 }
 
-/* N: what the drag on a particle carries at minimum fluidisation */
-static double carried(const struct dem_suspension *b, double void_fraction)
+/* N: weight that the drag on a particle supports at minimum fluidisation */
+static double supported_weight(const struct dem_suspension *b, double void_fraction)
 {
     const double density = b->feels_gradient ? void_fraction*(b->density - b->fluid_density) : b->density;
 
@@ -71,7 +71,7 @@ static double carried(const struct dem_suspension *b, double void_fraction)
 double dem_suspension_fluidisation_velocity(const struct dem *d,
                                             const struct dem_suspension *b, double void_fraction)
 {
-    return void_fraction*slip_at(d, b, void_fraction, carried(b, void_fraction));
+    return void_fraction*slip_at(d, b, void_fraction, supported_weight(b, void_fraction));
 }
 
 double dem_suspension_terminal_velocity(const struct dem *d,
@@ -100,12 +100,13 @@ double dem_sphere_terminal_velocity(double diameter, double density, double flui
     return 0.5*(low + high);
 }
 
-/* 1 when U m/s (superficial) lifts the particles at this void fraction: b u increases with u */
+/* 1 when U m/s (superficial) lifts the particles at this void fraction: b u increases with u. The scene has
+   a drag law. */
 static int lifts(const struct dem *d, const struct dem_suspension *b, double void_fraction, double U)
 {
     const double u = U/void_fraction;
 
-    return dem_drag_coefficient(d, b, void_fraction, u)*u > carried(b, void_fraction);
+    return dem_drag_coefficient(d, b, void_fraction, u)*u > supported_weight(b, void_fraction);
 }
 
 double dem_suspension_expanded_void_fraction(const struct dem *d,

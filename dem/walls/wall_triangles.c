@@ -16,7 +16,7 @@
 static void sort_corners(const struct dem_triangle *t, double key[3][3])
 {
     memcpy(key, t->corner, sizeof t->corner);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++)    /* compares 0 with 1, 1 with 2, 0 with 1 */
     {
         double *const p = key[k%2], *const q = key[k%2 + 1], held[3];
 
