@@ -252,11 +252,11 @@ void Foam::demExchange::toFluid(const demFlow& flow)
         }
         depositTurbulence();
 
-        scalarField carried(response);
-        dem_fluid_carried(particles_.core(), carried.begin());
+        scalarField following(response);
+        dem_fluid_following(particles_.core(), following.begin());
         demReaction::deposit
         (
-            transfer_, response, carried, flow.U, reaction,
+            transfer_, response, following, flow.U, reaction,
             force_.primitiveFieldRef(), drag_.primitiveFieldRef()
         );
         drag_.correctBoundaryConditions();

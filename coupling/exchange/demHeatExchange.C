@@ -236,7 +236,7 @@ void Foam::demHeatExchange::toFluid()
         source[i] = (x.response[i]*before[i] - x.received[i])/T;
         coefficient[i] = x.response[i]/T;
     }
-    // the fluid heats all particles, also those that lie still
+    // of all particles: held and heavy ones would conduct as well
     demReaction::deposit
     (
         transfer_, coefficient, coefficient, *T_, source,

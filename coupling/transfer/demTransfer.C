@@ -75,7 +75,6 @@ void Foam::demTransfer::build()
 {
     routing_.clear();
     kernel_.clear();
-    shortWaves_.clear();
     if (demSlidingInterface::any(mesh_))
     {
         interface_.reset(new demSlidingInterface(mesh_));
@@ -343,12 +342,19 @@ void Foam::demTransfer::removeShortWaves(Field<Type>& cells) const
     if (!shortWaves_.valid())
     {
         shortWaves_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
-        shortWaves_().setWidth(width_*diameter_/3, -1.0/8.0, 0);
+        // half the variance of S
+        shortWaves_().setWidth(width_*diameter_/(3*std::sqrt(2.0)), -1.0/16.0, 0);
     }
-    shortWaves_().smooth(cells);
+    // S in two halves: no wave changes its sign
+    const auto smooth = [&](Field<Type>& values)
+    {
+        shortWaves_().smooth(values);
+        shortWaves_().smooth(values);
+    };
+    smooth(cells);
 
     Field<Type> twice(cells);
-    shortWaves_().smooth(twice);
+    smooth(twice);
     cells += cells - twice;
 }
 

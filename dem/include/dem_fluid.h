@@ -145,9 +145,9 @@ double dem_sauter_diameter(double volume, double per_diameter);
    3 each. */
 int dem_fluid_reaction(const struct dem *, double window, double *coefficient, double *force);
 
-/* After an advance, K of dem_fluid_reaction, 1 each: set it to 0 for particles that the fluid does not
-   carry along: frozen ones, and those of at least 10 times its density. */
-void dem_fluid_carried(const struct dem *, double *coefficient);
+/* After an advance: from K of dem_fluid_reaction, 1 each, to K of particles that follow the fluid. It becomes 0
+   for frozen particles and for those of at least 10 times the fluid's density. */
+void dem_fluid_following(const struct dem *, double *coefficient);
 
 /* The force on each particle [N], 3 each, of effects at the interface of two fluids, for the columns tension and
    interface_distance as they are now. The interface gets the opposite; dem_fluid_reaction does not contain it. */

@@ -197,7 +197,7 @@ int dem_fluid_reaction(const struct dem *d, double window, double *coefficient, 
     return DEM_OK;
 }
 
-void dem_fluid_carried(const struct dem *d, double *coefficient)
+void dem_fluid_following(const struct dem *d, double *coefficient)
 {
     const struct dem_particles *const p = &d->state.particles;
     const double *const density = dem_column(p, DEM_COLUMN_FLUID_DENSITY);

@@ -30,8 +30,8 @@
 
 #include <math.h>
 
-/* Particles of at least so many times the fluid's density need no under-relaxation, and are not carried
-   along. */
+/* Particles of at least so many times the fluid's density need no under-relaxation, and do not follow the
+   fluid. */
 #define DEM_EXCHANGE_LIGHT 10.0
 
 /* Slip factor gamma; whole_drag: 1: the drag law contains the pressure gradient (set III). */
