@@ -126,6 +126,10 @@ static void testKernels(const fvMesh& mesh, const kind& is, const pointField& al
         }
         testSmoother(mesh);
     }
+    if (is.uniform && is.periodic)
+    {
+        testShortWaves(mesh);
+    }
 }
 
 
