@@ -236,7 +236,7 @@ void Foam::demHeatExchange::toFluid()
         source[i] = (x.response[i]*before[i] - x.received[i])/T;
         coefficient[i] = x.response[i]/T;
     }
-    // of all particles: held and heavy ones would conduct as well
+    // C = R for all particles: frozen and heavy ones would conduct as well
     demReaction::deposit
     (
         transfer_, coefficient, coefficient, *T_, source,

@@ -342,10 +342,10 @@ void Foam::demTransfer::removeShortWaves(Field<Type>& cells) const
     if (!shortWaves_.valid())
     {
         shortWaves_.reset(new demSmoother(mesh_, wedge_.get(), interface_.get()));
-        // half the variance of S
+        // s, with half the variance of S; -1/16 adds h^2/16
         shortWaves_().setWidth(width_*diameter_/(3*std::sqrt(2.0)), -1.0/16.0, 0);
     }
-    // S in two halves: no wave changes its sign
+    // S = s s: no wave changes its sign
     const auto smooth = [&](Field<Type>& values)
     {
         shortWaves_().smooth(values);

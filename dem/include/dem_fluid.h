@@ -145,8 +145,8 @@ double dem_sauter_diameter(double volume, double per_diameter);
    3 each. */
 int dem_fluid_reaction(const struct dem *, double window, double *coefficient, double *force);
 
-/* After an advance: from K of dem_fluid_reaction, 1 each, to K of particles that follow the fluid. It becomes 0
-   for frozen particles and for those of at least 10 times the fluid's density. */
+/* After an advance: sets K of dem_fluid_reaction, 1 each, to 0 for particles that do not follow the fluid:
+   frozen ones, and those of at least 10 times its density. */
 void dem_fluid_following(const struct dem *, double *coefficient);
 
 /* The force on each particle [N], 3 each, of effects at the interface of two fluids, for the columns tension and

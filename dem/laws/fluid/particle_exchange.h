@@ -30,7 +30,7 @@
 
 #include <math.h>
 
-/* Particles of at least so many times the fluid's density need no under-relaxation, and do not follow the
+/* Particles of at least this many times the fluid's density need no under-relaxation and do not follow the
    fluid. */
 #define DEM_EXCHANGE_LIGHT 10.0
 

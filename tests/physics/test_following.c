@@ -1,0 +1,48 @@
+/*
+ * test_following.c -- which particles follow the fluid: free ones of less than 10 times its density, clumps and
+ * parcels by their solid.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "physics/world.h"
+
+static void which(const char *what, const char *more, const char *form, double density, const char *state,
+                  double rho, double expected)
+{
+    struct dem_case *const c = world_begin(world_text(
+        "materials { solid { density %g; youngsModulus 1e6; } } %s effects { hertz {} stokesDrag {} }"
+        "insert { one { type list; %s; positions ((0 0 0)); %s } } time { step 1e-6; }",
+        density, more, form, state));
+    struct dem *const w = world_start(c);
+    struct dem_fluid f;
+    double coefficient[2] = {3.0, 3.0};
+
+    WORLD_TRY(dem_fluid(w, &f));
+    for (size_t i = 0; i < f.n; i++)
+    {
+        f.void_fraction[i] = 1.0, f.density[i] = rho, f.viscosity[i] = 1e-3;
+    }
+    world_run(w, 1e-5);
+    dem_fluid_following(w, coefficient);
+    TAP_OK(coefficient[0] == expected && (f.n == 1 || coefficient[1] == expected), "%s: %g", what, coefficient[0]);
+    dem_free(w);
+}
+
+int main(void)
+{
+    TAP_TRAPS;
+
+    static const char sphere[] = "diameter 1e-3", clump[] = "shape pair",
+                      pair[] = "shapes { pair { spheres ((0 0 0 5e-4) (5e-4 0 0 5e-4)); } }",
+                      parcels[] = "parcels { ratio 3; }";
+
+    which("9.99 times the fluid's density", "", sphere, 9990.0, "", 1000.0, 3.0);
+    which("10.01 times", "", sphere, 10010.0, "", 1000.0, 0.0);
+    which("frozen", "", sphere, 1000.0, "frozen yes;", 1000.0, 0.0);
+    which("in a gas", "", sphere, 1000.0, "", 1.2, 0.0);
+    which("a parcel, 9.99 times", parcels, sphere, 9990.0, "", 1000.0, 3.0);
+    which("a parcel, 10.01 times", parcels, sphere, 10010.0, "", 1000.0, 0.0);
+    which("a clump, 9.99 times", pair, clump, 9990.0, "", 1000.0, 3.0);
+    which("a clump, 10.01 times", pair, clump, 10010.0, "", 1000.0, 0.0);
+    TAP_DONE;
+}
