@@ -146,7 +146,7 @@ double dem_sauter_diameter(double volume, double per_diameter);
 int dem_fluid_reaction(const struct dem *, double window, double *coefficient, double *force);
 
 /* After an advance: sets K of dem_fluid_reaction, 1 each, to 0 for particles that do not follow the fluid:
-   frozen ones, and those of at least 10 times its density. */
+   frozen ones and those with at least 10 times its density. */
 void dem_fluid_following(const struct dem *, double *coefficient);
 
 /* The force on each particle [N], 3 each, of effects at the interface of two fluids, for the columns tension and
