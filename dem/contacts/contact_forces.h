@@ -111,13 +111,13 @@ static inline uint32_t dem_contact_forces_slot(const struct dem_contact_forces *
     return with_wall || !c->ring ? segment->slot + (row - segment->first) : row & (c->ring - 1);
 }
 
-/* The oldest row in the ring when a particle is summed, at the end of the batch of rows that holds the
+/* The oldest row in the ring when a particle is summed, at the end of the stretch of rows that holds the
    last one it needs; below 0 while the ring has not been filled. */
 static inline int64_t dem_contact_forces_oldest(const struct dem_contact_forces *c,
                                                 const struct dem_contact_rows *rows,
                                                 size_t particle)
 {
-    return (int64_t)rows->needed[particle/DEM_BATCH_ROWS] + 2*DEM_BATCH_ROWS - (int64_t)c->ring;
+    return (int64_t)rows->needed[particle/DEM_BATCH_ROWS] + DEM_STRETCH_ROWS - (int64_t)c->ring;
 }
 
 /* The row of an entry of a particle; the one past the last where the entry has none. */

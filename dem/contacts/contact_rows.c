@@ -132,37 +132,46 @@ int dem_contact_rows_number(struct dem_contact_rows *c, struct dem_pair_list *p,
     return DEM_OK;
 }
 
-/* As with rows, each entry is written, and the index advances only if its pair has a row. */
+/* As with rows, each entry is written, and the index advances only if its pair has a row: no branch hangs on what is
+   near. */
+static uint32_t list_entries(struct dem_contact_rows *c, const struct dem_pair_list *p, size_t n)
+{
+    const struct dem_pair *const pair = p->pair;
+    const uint32_t *const of = p->entry, none = c->n << DEM_ENTRY_SLOT_SHIFT, walls = c->walls;
+    uint32_t *restrict const entry = c->entry;
+    uint32_t at = 0, ready = 0, e = p->start[0];
+
+    for (size_t i = 0; i < n; i++)
+    {
+        const uint32_t first = at, end = p->start[i + 1];
+
+        c->start[i] = first;
+        for (; e < end; e++)
+        {
+            const uint32_t row = pair[of[e] >> 1].row, needs = (row + 1) & -(uint32_t)(row < walls);
+
+            entry[at] = row << DEM_ENTRY_SLOT_SHIFT | (of[e] & DEM_ENTRY_SIDE);
+            at += row != DEM_ROW_NONE;
+            ready = needs > ready ? needs : ready;
+        }
+        c->needed[i/DEM_BATCH_ROWS] = ready;
+        entry[at] = entry[at + 1] = none;
+        at += at == first ? DEM_ENTRIES_AT_ONCE : (at - first)%DEM_ENTRIES_AT_ONCE;
+        entry[at - 1] |= DEM_ENTRY_LAST;
+    }
+    return at;
+}
+
+_Static_assert(DEM_ENTRIES_AT_ONCE == 2, "list_entries pads to an even number");
+
 int dem_contact_rows_build_adjacency(struct dem_contact_rows *c, const struct dem_pair_list *p,
                                      size_t n)
 {
-    uint32_t at = 0, ready = 0;
-
     const size_t capacity = dem_memory_capacity(c->start_capacity, n + 2);
 
     DEM_TRY(DEM_RESIZE(c->start, c->start_capacity, capacity));
     c->start_capacity = capacity;
     DEM_TRY(DEM_GROW(c->needed, c->needed_capacity, n/DEM_BATCH_ROWS + 1));
-    for (size_t i = 0; i < n; i++)
-    {
-        c->start[i] = at;
-        for (uint32_t e = p->start[i]; e < p->start[i + 1]; e++)
-        {
-            const struct dem_pair *const q = &p->pair[p->entry[e] >> 1];
-            const uint32_t near = q->row != DEM_ROW_NONE,
-                           needs = q->row < c->walls ? q->row + 1 : 0;
-
-            c->entry[at] = q->row << DEM_ENTRY_SLOT_SHIFT | (p->entry[e] & DEM_ENTRY_SIDE);
-            at += near;
-            ready = needs > ready ? needs : ready;
-        }
-        c->needed[i/DEM_BATCH_ROWS] = ready;
-        while (at == c->start[i] || (at - c->start[i])%DEM_ENTRIES_AT_ONCE)
-        {
-            c->entry[at++] = c->n << DEM_ENTRY_SLOT_SHIFT;
-        }
-        c->entry[at - 1] |= DEM_ENTRY_LAST;
-    }
-    c->start[n] = at;
+    c->start[n] = list_entries(c, p, n);
     return DEM_OK;
 }

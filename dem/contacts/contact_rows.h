@@ -22,7 +22,8 @@ enum                           /* bits of an entry, below the slot of the contac
 
 enum
 {
-    DEM_PADDING_ROWS = 8     /* rows past the last, with zero force */
+    DEM_PADDING_ROWS = 8,    /* rows past the last, with zero force */
+    DEM_STRETCH_ROWS = 256   /* rows swept together, whole batches, where few touch */
 };
 
 enum
@@ -30,6 +31,7 @@ enum
     DEM_PARTNER_SHIFT = 27,                      /* bits of a record's index in
                                                     struct dem_row_partners */
     DEM_PARTNER_LIMIT = 1 << DEM_PARTNER_SHIFT,  /* limit of the records of a rank */
+    DEM_RECORD_OF_J = DEM_PARTNER_LIMIT - 1,     /* mask: j without the shift */
     DEM_ROWS_AHEAD = 32                          /* rows prefetched ahead, also past the
                                                     last: 16 and 64 gained a little less */
 };
@@ -52,6 +54,7 @@ struct dem_contact_rows
 {
     uint32_t n;                          /* with padding */
     uint32_t walls;                      /* the first row of a wall, or n: their classes are last */
+    int few_touch;                       /* 1: less than half of the rows of pairs did at the last prune */
     size_t capacity;
     uint32_t *pair;                      /* DEM_ROW_NONE on padding */
     struct dem_row_partners *partners;   /* padding repeats the last row of its class;

@@ -105,24 +105,29 @@ int dem_pairs_check_counts(size_t particles, size_t pairs)
 /* ---- pruning --------------------------------------------------------------------------------- */
 
 /* Mark the pairs of particles that are near, up to the first one with a wall; returns its index.
-   {x, radius} of a record is one vector, and so is the distance with the sum of radii. */
+   {x, radius} of a record is one vector, and so is the distance with the sum of radii. *few: 1 when less
+   than half of them touch. */
 DEM_KERNEL
 static size_t mark_near(const struct dem_pairs *s, const struct dem_particles *particles,
-                        const struct dem_pair_list *list, uint8_t *restrict near)
+                        const struct dem_pair_list *list, uint8_t *restrict near, int *few)
 {
     const struct dem_particle *const record = particles->record;
     const struct dem_pair *const pair = list->pair;
     const dem_vec4 sign = {-1.0, -1.0, -1.0, 1.0}, gap = {0.0, 0.0, 0.0, s->inner};
-    size_t k = 0;
+    size_t k = 0, touching = 0, rows = 0;
 
     for (; k < list->n && !pair[k].wall; k++)
     {
         const dem_vec4 d = DEM_VEC4(record[pair[k].i].x) + sign*DEM_VEC4(record[pair[k].j].x) +
                            DEM_VEC4(s->shift[pair[k].shift]) + gap;
         const dem_vec4 square = d*d;
+        const double distance = square[0] + square[1] + square[2], radii = d[3] - s->inner;
 
-        near[k] = square[0] + square[1] + square[2] < square[3];
+        near[k] = distance < square[3];
+        rows += near[k];
+        touching += distance < radii*radii;
     }
+    *few = 2*touching < rows;
     return k;
 }
 
@@ -143,7 +148,7 @@ int dem_pairs_prune(struct dem_pairs *s, const struct dem_particles *particles,
     use_skin(s, DEM_LIST_INNER);
     DEM_TRY(DEM_NEW(near, c->pairs.n + 1));
     /* classes of walls are last */
-    for (size_t k = mark_near(s, particles, &c->pairs, near); k < c->pairs.n; k++)
+    for (size_t k = mark_near(s, particles, &c->pairs, near, &c->rows.few_touch); k < c->pairs.n; k++)
     {
         near[k] = (uint8_t)is_wall_near(s, particles, w, &c->pairs.pair[k]);
     }

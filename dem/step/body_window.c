@@ -26,6 +26,10 @@
 #include <math.h>
 #include <string.h>
 
+/* Slip over |u| below which it is the rounding of u's sum over cells, which depends on the ranks: J over it
+   is no number. */
+#define SLIP_ROUNDING 1e-12
+
 /* prepare_bodies of all effects; on grains, where the particles are parcels. */
 static void prepare_effects(struct dem_body_batch *b, const struct dem_particles *particles,
                             const struct dem_effect_list *effects, size_t first, int rows)
@@ -147,13 +151,13 @@ static void response_of_added_mass(struct dem_particles *particles, double windo
     }
 }
 
-/* |u - v(start)|, u of the undisturbed fluid with its eddies. */
+/* |u - v(start)|, u of the undisturbed fluid with its eddies; 0 where it is rounding of u and v. */
 static double slip_at_start(const struct dem_particles *particles, size_t i)
 {
     const double *const u = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) + 3*i,
                         *const start = dem_column(particles, DEM_COLUMN_START_VELOCITY) + 3*i,
                         *const wake = dem_column(particles, DEM_COLUMN_OWN_WAKE);
-    double eddy[3], sum = 0.0;
+    double eddy[3], sum = 0.0, scale = 0.0;
 
     dem_eddies_velocity(particles, i, eddy);
     for (size_t axis = 0; axis < 3; axis++)
@@ -162,8 +166,9 @@ static double slip_at_start(const struct dem_particles *particles, size_t i)
                      slip = u[axis] - own + eddy[axis] - start[axis];
 
         sum += slip*slip;
+        scale += u[axis]*u[axis];
     }
-    return sqrt(sum);
+    return sum > SLIP_ROUNDING*SLIP_ROUNDING*scale ? sqrt(sum) : 0.0;
 }
 
 void dem_bodies_end_window(struct dem_particles *particles, const struct dem_domain *domain,

@@ -22,32 +22,32 @@ static void clear_apart(const struct dem_contact_batch *restrict b, double *rest
 }
 
 /* The history columns of an effect at the rows of the batch. Returns their number. */
-static int find_history(const struct dem_contacts *c, const struct dem_effect_entry *entry,
+static int find_history(const struct dem_contact_history *h, const struct dem_effect_entry *entry,
                         uint32_t row, double **history)
 {
     const int columns = dem_effect_history_columns(entry->effect);
 
     for (int m = 0; m < columns; m++)
     {
-        history[m] = c->history.column[entry->first_column + m] + row;
+        history[m] = h->column[entry->first_column + m] + row;
     }
     return columns;
 }
 
 /* The history columns and the particle scalars of an effect. Returns the number of columns. */
-static int begin_effect(struct dem_contact_workspace *t, const struct dem_contacts *c,
+static int begin_effect(struct dem_contact_workspace *t, const struct dem_contact_history *h,
                         const struct dem_effect_entry *entry, uint32_t row, double **history)
 {
     if (t->scalars)
     {
         dem_contact_scalars_select(t, entry);
     }
-    return find_history(c, entry, row, history);
+    return find_history(h, entry, row, history);
 }
 
 void dem_contact_effects_replace_contacts(struct dem_contact_workspace *t,
                                           const struct dem_effect_list *effects,
-                                          const struct dem_contacts *c, uint32_t row)
+                                          const struct dem_contact_history *h, uint32_t row)
 {
     double *history[DEM_HISTORY_COLUMNS];
 
@@ -55,7 +55,7 @@ void dem_contact_effects_replace_contacts(struct dem_contact_workspace *t,
     {
         if (effects->entry[k].effect->replace_contact)
         {
-            begin_effect(t, c, &effects->entry[k], row, history);
+            begin_effect(t, h, &effects->entry[k], row, history);
             effects->entry[k].effect->replace_contact(effects->entry[k].settings, &t->batch,
                                                       history);
         }
@@ -64,7 +64,7 @@ void dem_contact_effects_replace_contacts(struct dem_contact_workspace *t,
 
 /* Adhesive forces of films, which friction needs, just before it acts. */
 static void apply_adhesion(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                           const struct dem_contacts *c, uint32_t row)
+                           const struct dem_contact_history *h, uint32_t row)
 {
     double *history[DEM_HISTORY_COLUMNS];
 
@@ -72,7 +72,7 @@ static void apply_adhesion(struct dem_contact_workspace *t, const struct dem_eff
     {
         if (effects->entry[k].effect->set_adhesion)
         {
-            begin_effect(t, c, &effects->entry[k], row, history);
+            begin_effect(t, h, &effects->entry[k], row, history);
             effects->entry[k].effect->set_adhesion(effects->entry[k].settings, &t->batch, history);
         }
     }
@@ -112,7 +112,7 @@ static void clear_results(struct dem_contact_batch *b)
 
 /* The first effects of the list, in one loop. Returns their number. */
 static int apply_fused(struct dem_contact_workspace *t, const struct dem_effect_list *effects,
-                       const struct dem_contacts *c, uint32_t row)
+                       const struct dem_contact_history *h, uint32_t row)
 {
     const void *settings[DEM_FUSED_LAWS];
     double *history[DEM_HISTORY_COLUMNS];
@@ -124,7 +124,7 @@ static int apply_fused(struct dem_contact_workspace *t, const struct dem_effect_
         if (effects->kernel->law[m] != &dem_none)
         {
             settings[m] = effects->entry[k].settings;
-            columns += find_history(c, &effects->entry[k], row, history + columns);
+            columns += find_history(h, &effects->entry[k], row, history + columns);
             k++;
         }
     }
@@ -134,14 +134,14 @@ static int apply_fused(struct dem_contact_workspace *t, const struct dem_effect_
 
 void dem_contact_effects_apply(struct dem_contact_workspace *t,
                                const struct dem_effect_list *effects,
-                               const struct dem_contacts *c, uint32_t row)
+                               const struct dem_contact_history *h, uint32_t row)
 {
     double *history[DEM_HISTORY_COLUMNS];
     int first = 0;
 
     if (effects->kernel)
     {
-        first = apply_fused(t, effects, c, row);
+        first = apply_fused(t, effects, h, row);
     }
     else
     {
@@ -151,9 +151,9 @@ void dem_contact_effects_apply(struct dem_contact_workspace *t,
     {
         if (is_first_after_damping(effects, k))
         {
-            apply_adhesion(t, effects, c, row);
+            apply_adhesion(t, effects, h, row);
         }
-        const int columns = begin_effect(t, c, &effects->entry[k], row, history);
+        const int columns = begin_effect(t, h, &effects->entry[k], row, history);
 
         apply_effect(t, effects, k, history, columns);
     }
@@ -186,10 +186,10 @@ void dem_contact_effects_apply_with_energy(struct dem_state *state, struct dem_c
     {
         if (is_first_after_damping(effects, k))
         {
-            apply_adhesion(t, effects, &state->contacts, row);
+            apply_adhesion(t, effects, &state->contacts.history, row);
         }
         r.entry = &effects->entry[k];
-        const int columns = begin_effect(t, &state->contacts, r.entry, row, history);
+        const int columns = begin_effect(t, &state->contacts.history, r.entry, row, history);
 
         dem_energy_balance_before_effect(state, t, &r);
         apply_effect(t, effects, k, history, columns);

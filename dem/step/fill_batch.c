@@ -325,12 +325,34 @@ static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *
     }
 }
 
+static int lanes_of(int rows)
+{
+    return (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
+}
+
+void dem_contact_batch_fill_pairs(struct dem_contact_workspace *t, const struct dem_state *state,
+                                  const struct dem_effect_list *effects,
+                                  const struct dem_row_partners *partners, int rows)
+{
+    t->batch.n = lanes_of(rows);
+    dem_gather_pairs(t, state, effects->needs, partners);
+    if (state->cell.active)
+    {
+        dem_cell_add_velocities(state, t->batch.n, &t->gathered);
+    }
+    if (effects->scalars)
+    {
+        give_frozen_pairs_mass(t);
+    }
+    geometry_of_pairs(&t->batch, &t->gathered);
+}
+
 void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_state *state,
                             const struct dem_effect_list *effects, uint32_t row, int rows)
 {
     uint32_t padded[DEM_BATCH_ROWS];
 
-    t->batch.n = (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
+    t->batch.n = lanes_of(rows);
     if (effects->pair.with_wall || effects->past_touching)
     {
         pad(t, state->contacts.rows.pair + row, rows, padded);
@@ -341,16 +363,7 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
     }
     else
     {
-        dem_gather_pairs(t, state, effects->needs, state->contacts.rows.partners + row);
-        if (state->cell.active)
-        {
-            dem_cell_add_velocities(state, t->batch.n, &t->gathered);
-        }
-        if (effects->scalars)
-        {
-            give_frozen_pairs_mass(t);
-        }
-        geometry_of_pairs(&t->batch, &t->gathered);
+        dem_contact_batch_fill_pairs(t, state, effects, state->contacts.rows.partners + row, rows);
     }
     if (effects->past_touching)
     {

@@ -13,3 +13,9 @@
    relative motion. Lanes past the last row repeat it. */
 void dem_contact_batch_fill(struct dem_contact_workspace *, const struct dem_state *,
                             const struct dem_effect_list *, uint32_t row, int rows);
+
+/* The same for `rows` pairs of particles with these partners, DEM_LANES - 1 repetitions and
+   DEM_ROWS_AHEAD valid ones more, of a class without effects past touching. */
+void dem_contact_batch_fill_pairs(struct dem_contact_workspace *, const struct dem_state *,
+                                  const struct dem_effect_list *, const struct dem_row_partners *,
+                                  int rows);

@@ -12,11 +12,6 @@
 #include "core/vec4.h"
 #include <stddef.h>
 
-enum
-{
-    RECORD_OF_J = DEM_PARTNER_LIMIT - 1  /* mask: j without the bits of the periodic shift */
-};
-
 __attribute__((always_inline)) static inline void
 to_columns(dem_vec4 row[4], double *x, double *y, double *z, double *w)
 {
@@ -46,8 +41,8 @@ gather(struct dem_contact_workspace *restrict t, const struct dem_particle *reco
         for (int k = 0; k < 4; k++)
         {
             const struct dem_particle *const i = &record[partners[c + k].i],
-                                             *const j = &record[partners[c + k].j & RECORD_OF_J];
-            const struct dem_particle *const next = &record[ahead[k].j & RECORD_OF_J];
+                                             *const j = &record[partners[c + k].j & DEM_RECORD_OF_J];
+            const struct dem_particle *const next = &record[ahead[k].j & DEM_RECORD_OF_J];
             const dem_vec4 wi = DEM_VEC4(i->w), wj = DEM_VEC4(j->w);
             const dem_vec4 ri = {i->radius, i->radius, i->radius, i->radius},
                            rj = {j->radius, j->radius, j->radius, j->radius};
@@ -99,7 +94,7 @@ static void gather_mean(int n, double *restrict to, const double *restrict value
 {
     for (int c = 0; c < n; c++)
     {
-        to[c] = 0.5*(value[partners[c].i] + value[partners[c].j & RECORD_OF_J]);
+        to[c] = 0.5*(value[partners[c].i] + value[partners[c].j & DEM_RECORD_OF_J]);
     }
 }
 

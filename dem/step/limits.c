@@ -38,7 +38,7 @@ static double worst_of(const struct dem_contact_batch *restrict b)
 }
 
 void dem_limits_check_record(struct dem_state *state, const struct dem_contact_workspace *t,
-                             uint32_t row, int rows)
+                             const uint32_t *pair, int rows)
 {
     const double worst = worst_of(&t->batch);
     int lane = 0;
@@ -56,7 +56,7 @@ void dem_limits_check_record(struct dem_state *state, const struct dem_contact_w
                    : lane;
     }
     const struct dem_pair *const q =
-        dem_contacts_pair(&state->contacts, row + (uint32_t)(lane < rows ? lane : rows - 1));
+        &state->contacts.pairs.pair[pair[lane < rows ? lane : rows - 1]];
     const struct dem_particle *const i = &state->particles.record[q->i];
 
     state->limits.overlap = worst;

@@ -10,9 +10,9 @@
 #include "contacts/contact_batch.h"
 
 /* Record the worst row so far and its partners, from overlaps, smaller radii and forces of a batch:
-   `rows` rows from `row` on. */
-void dem_limits_check_record(struct dem_state *, const struct dem_contact_workspace *, uint32_t row,
-                             int rows);
+   `pair`, the pairs of its `rows` rows. */
+void dem_limits_check_record(struct dem_state *, const struct dem_contact_workspace *,
+                             const uint32_t *pair, int rows);
 
 /* DEM_ERROR_NUMBER, with the names of the partners, when the worst row is above the limit. */
 int dem_limits_check_status(const struct dem_state *);

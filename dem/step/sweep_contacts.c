@@ -12,6 +12,7 @@
 #include "records/lost_cause.h"
 #include "step/fill_batch.h"
 #include "step/store_forces.h"
+#include "step/touching_rows.h"
 #include "step/wall_bodies.h"
 #include "step/wall_springs.h"
 #include "step/limits.h"
@@ -115,7 +116,7 @@ static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
     }
     if (effects->past_touching)
     {
-        dem_contact_effects_replace_contacts(t, effects, &state->contacts, row);
+        dem_contact_effects_replace_contacts(t, effects, &state->contacts.history, row);
     }
     if (state->energy_balance->open)
     {
@@ -123,7 +124,7 @@ static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
     }
     else
     {
-        dem_contact_effects_apply(t, effects, &state->contacts, row);
+        dem_contact_effects_apply(t, effects, &state->contacts.history, row);
     }
     if (effects->pair.with_wall && state->walls.bodies > 0)
     {
@@ -140,7 +141,7 @@ static int sweep_batch(struct dem_state *state, struct dem_contact_workspace *t,
     if (dem_store_forces(&t->batch, effects->pair.with_wall ? 1.0 : 0.5, effects->past_touching,
                          state->limits.overlap, at->to))
     {
-        dem_limits_check_record(state, t, row, rows);
+        dem_limits_check_record(state, t, state->contacts.rows.pair + row, rows);
     }
     if (effects->past_touching)
     {
@@ -190,19 +191,25 @@ static int sweep_class(struct dem_state *state, struct dem_contact_workspace *t,
     const struct dem_effect_list *const effects = &state->interaction_table.list[class];
     const struct dem_segment *const seg = &state->contacts.rows.segment[class];
     struct dem_contact_forces *const forces = &state->contacts.forces;
-    const int with_wall = effects->pair.with_wall, observed = !bodies || !bodies->unobserved;
+    const int with_wall = effects->pair.with_wall, observed = !bodies || !bodies->unobserved,
+              few_touch = dem_touching_rows_pay(state, effects);
+    const uint32_t most = few_touch ? DEM_STRETCH_ROWS : DEM_BATCH_ROWS, end = seg->first + seg->count;
+    int rows;
 
-    for (uint32_t done = 0; done < seg->count; done += DEM_BATCH_ROWS)
+    for (uint32_t row = seg->first; row < end; row += (uint32_t)rows)
     {
-        const int rows =
-            seg->count - done < DEM_BATCH_ROWS ? (int)(seg->count - done) : DEM_BATCH_ROWS;
-        const struct rows at = {.row = seg->first + done,
-                                .rows = rows,
-                                .to = dem_store_target(
-                                    forces, dem_contact_forces_slot(forces, seg, with_wall,
-                                                                     seg->first + done))};
+        /* no stretch crosses the end of the force buffer */
+        rows = (int)(end - row < most - row%most ? end - row : most - row%most);
+        const struct rows at = {
+            .row = row,
+            .rows = rows,
+            .to = dem_store_target(forces, dem_contact_forces_slot(forces, seg, with_wall, row))};
 
-        if (effects->scalars)
+        if (few_touch)
+        {
+            dem_touching_rows_sweep(state, t, effects, row, rows, &at.to);
+        }
+        else if (effects->scalars)
         {
             DEM_TRY(sweep_batch_with_scalars(state, t, effects, &at));
         }
@@ -212,15 +219,15 @@ static int sweep_class(struct dem_state *state, struct dem_contact_workspace *t,
         }
         if (observed)
         {
-            dem_store_observed(&state->contacts, &at.to, at.row, rows, state->particles.n);
+            dem_store_observed(&state->contacts, &at.to, row, rows, state->particles.n);
         }
         if (!with_wall)
         {
-            *deferred = dem_store_deferred(forces, *deferred, at.row + (uint32_t)rows);
+            *deferred = dem_store_deferred(forces, *deferred, row + (uint32_t)rows);
         }
         if (bodies && !with_wall)
         {
-            finish_ready(bodies, &state->contacts, seg->first + done + (uint32_t)rows);
+            finish_ready(bodies, &state->contacts, row + (uint32_t)rows);
         }
     }
     return DEM_OK;

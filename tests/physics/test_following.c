@@ -1,10 +1,12 @@
 /*
  * test_following.c -- which particles follow the fluid: free ones of less than 10 times its density, clumps and
- * parcels by their solid.
+ * parcels by their solid. The response of a sphere that moves with its fluid does not hang on rounding.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "physics/world.h"
+#include <float.h>
+#include <math.h>
 
 static void which(const char *what, const char *more, const char *form, double density, const char *state,
                   double rho, double expected)
@@ -28,6 +30,24 @@ static void which(const char *what, const char *more, const char *form, double d
     dem_free(w);
 }
 
+/* R over the integral of b of a free light sphere at 0.3 m/s, slip times 0.3 m/s slower than the fluid. */
+static double response(double slip)
+{
+    struct dem_case *const c = world_begin(
+        "materials { solid { density 1000; youngsModulus 1e6; } } effects { hertz {} stokesDrag {} }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); velocity (0.3 0 0); } } time { step 5e-7; }");
+    struct dem *const w = world_start(c);
+    struct dem_fluid f;
+
+    WORLD_TRY(dem_fluid(w, &f));
+    f.velocity[0] = 0.3*(1.0 + slip), f.void_fraction[0] = 1.0, f.density[0] = 1000.0, f.viscosity[0] = 1e-3;
+    world_run(w, 1e-3);
+    WORLD_TRY(dem_fluid(w, &f));
+    const double ratio = f.response[0]/f.drag_integral[0];
+    dem_free(w);
+    return ratio;
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -44,5 +64,15 @@ int main(void)
     which("a parcel, 10.01 times", parcels, sphere, 10010.0, "", 1000.0, 0.0);
     which("a clump, 9.99 times", pair, clump, 9990.0, "", 1000.0, 3.0);
     which("a clump, 10.01 times", pair, clump, 10010.0, "", 1000.0, 0.0);
+
+    /* T/tau = 1e-3 18 mu/(rho d^2) = 1.8 */
+    const double free_response = (1.0 - exp(-1.8))/1.8;
+    TAP_OK(fabs(response(1e-3)/free_response - 1.0) < 1e-9, "free: %g of b T, closed form %g", response(1e-3),
+           free_response);
+    TAP_OK(response(0.0) == 1.0, "at the fluid's velocity: %g of b T", response(0.0));
+    for (double units = -8; units <= 8; units++)
+    {
+        TAP_OK(response(units*DBL_EPSILON) == 1.0, "at %g roundings from it: %g", units, response(units*DBL_EPSILON));
+    }
     TAP_DONE;
 }

@@ -1,13 +1,15 @@
 /*
- * test_ring.c -- output does not change the run: the force buffer (contacts/contact_forces.h).
+ * test_ring.c -- neither output nor the share of rows that touch changes the run: the force buffer
+ * (contacts/contact_forces.h), and stretches of rows (step/touching_rows.h).
  *
  * Contact forces go through a ring buffer, and are kept after a step of output only.
  * - A layer of touching spheres ends with the same bits, forces included, whether its means are
  *   sampled in every step, in some or in none.
  * - With periodic faces across it some rows exceed the ring and are deferred; a scene of few rows
  *   has no ring.
+ * - With wide skins few rows touch, and only those become batches; with thin ones all rows do.
  *
- * Reference: a step with output, which keeps every contact force.
+ * Reference: a step with output, which keeps every contact force; the run with thin skins.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -108,10 +110,36 @@ static void compare(int high, int round)
     dem_free(sometimes);
 }
 
+/* with these further entries: all rows in batches, and those that touch */
+static void skins(int high, const char *name, const char *more)
+{
+    const int count = LAYER*high;
+    struct dem *const thin = block(high, world_text("neighbours { outerSkin 0.3; innerSkin 0.02; } %s", more)),
+                      *const wide = block(high, world_text("neighbours { outerSkin 1; innerSkin 0.8; } %s", more));
+
+    for (int k = 0; k < 4; k++)
+    {
+        world_run(thin, STEPS*5e-6);
+        world_run(wide, STEPS*5e-6);
+    }
+    TAP_OK(!thin->state.contacts.rows.few_touch && wide->state.contacts.rows.few_touch,
+           "%s, %d spheres: few rows touch with wide skins only", name, count);
+    TAP_OK(bits(wide, count) == bits(thin, count), "%s, %d spheres: the same bits", name, count);
+    dem_free(thin);
+    dem_free(wide);
+}
+
 int main(void)
 {
     TAP_TRAPS;
     compare(1, 0);
     compare(5, 1);
+    for (int high = 1; high <= 5; high += 4)
+    {
+        skins(high, "hertz", "");
+        skins(high, "sampled", every_step);
+        skins(high, "rolling", "effects { rollingSpring { friction 0.1; } }");
+        skins(high, "no history", "effects { mindlin { friction 0; } }");
+    }
     return tap_done();
 }

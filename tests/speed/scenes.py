@@ -89,10 +89,14 @@ def box(scene):
             ("domain/y", f"(0 {scene['width']!r})")]
 
 
+def folder_of(scene):
+    """Where the bed settled, with the mesh that its scene reads."""
+    return os.path.join(BEDS, f"{scene.get('bed', scene['law'])}{scene.get('spheres', '')}")
+
+
 def settled(dem, bed, scene):
     """The snapshot of a bed at rest, made if missing."""
-    name = scene.get("bed", scene["law"])
-    folder = os.path.join(BEDS, f"{name}{scene.get('spheres', '')}")
+    name, folder = scene.get("bed", scene["law"]), folder_of(scene)
     snapshot = os.path.join(folder, "settled", "snapshot.dem")
     if not os.path.exists(os.path.join(folder, "done")):
         os.makedirs(folder, exist_ok=True)
@@ -112,11 +116,11 @@ def settled(dem, bed, scene):
 
 def print_state(dem, bed, scene, path):
     """Write the text of a scene's bed."""
-    command = [bed, "state", file_of(scene.get("bed", scene["law"])), settled(dem, bed, scene),
-               str(scene["copies"]), repr(scene["width"]),
-               repr(scene["speed"])]
+    snapshot = settled(dem, bed, scene)
+    command = [bed, "state", file_of(scene.get("bed", scene["law"])), snapshot, str(scene["copies"]),
+               repr(scene["width"]), repr(scene["speed"])]
     with open(path, "w") as out:
-        return subprocess.run(command, stdout=out, stderr=subprocess.PIPE, text=True)
+        return subprocess.run(command, stdout=out, stderr=subprocess.PIPE, text=True, cwd=folder_of(scene))
 
 
 def state(dem, bed, name, scene):
@@ -127,7 +131,7 @@ def state(dem, bed, name, scene):
         part = f"{path}.{os.getpid()}"
         result = print_state(dem, bed, scene, part)
         if result.returncode and "version" in result.stderr:  # a snapshot of an older Suna: settle anew
-            shutil.rmtree(os.path.dirname(os.path.dirname(settled(dem, bed, scene))))
+            shutil.rmtree(folder_of(scene))
             result = print_state(dem, bed, scene, part)
         if result.returncode:
             sys.exit(result.stderr.rstrip())
@@ -141,7 +145,7 @@ def suna(bed, scene, path, steps, end=None):
     final positions."""
     command = [bed, "run", file_of(scene["law"]), path, repr(scene["step"]), str(steps), end or "-"]
     result = subprocess.run(command + [word for entry in box(scene)
-                                     for word in entry], capture_output=True, text=True)
+                                     for word in entry], capture_output=True, text=True, cwd=folder_of(scene))
     if result.returncode:
         sys.exit(result.stderr.rstrip())
     return [float(word) for word in result.stdout.split()]
