@@ -60,7 +60,7 @@ struct dem_device
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates, former_place;
 
-    int makes_lists;                    /* 1: sizes are such that the device makes lists, too */
+    int makes_lists;                    /* 1: the device makes lists, too */
     int renumbered;                     /* 1: particles have other places since the present lists: former_place */
     int own;                            /* 1: the present lists are made here, not on the host */
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */

@@ -13,10 +13,9 @@
 #include <math.h>
 #include <string.h>
 
-enum
-{
-    SIZE_RATIO = 5                      /* with more, cells of one grid hold too many of the small */
-};
+/* With particles more than SIZE_RATIO times the smallest, cells of one grid hold too many of the small; the
+   radii of a level and the next differ by this factor. */
+static const double SIZE_RATIO = 5.0, LEVEL_FACTOR = 3.0;
 
 /* ---- constants --------------------------------------------------------------------------------- */
 
@@ -43,15 +42,7 @@ static int turns_new_particles(const struct dem_state *state)
 
 int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
 {
-    const struct dem_interaction_table *const t = &state->interaction_table;
-    double min = INFINITY;
-
-    for (int m = 0; m < t->materials; m++)
-    {
-        min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
-    }
-    d->makes_lists = state->decomposition.ranks == 1 && state->pairs.max_radius <= SIZE_RATIO*min &&
-                     !turns_new_particles(state) &&
+    d->makes_lists = state->decomposition.ranks == 1 && !turns_new_particles(state) &&
                      state->particles.n < UINT32_MAX/(size_t)d->classes;
     DEM_TRY(dem_device_begin_facets(d, &state->walls));
     DEM_TRY(put_drives(d, &state->walls));
@@ -77,11 +68,49 @@ static void extent_of(const struct dem_state *state, int axis, double extent[2])
     }
 }
 
-/* Cells that are not smaller than `edge` [m], no more than a few a particle. */
-static void choose_cells(const struct dem_state *state, double edge, struct dem_device_lists *l)
+/* Cells of a level that are not smaller than `edge` [m], no more than a few a particle. Returns their
+   number. */
+static uint32_t choose_cells(const struct dem_state *state, double extent[3][2], double edge,
+                             struct dem_device_level *grid)
+{
+    double count;
+
+    do
+    {
+        count = 1.0;
+        for (int k = 0; k < 3; k++)
+        {
+            const double length = fmax(extent[k][1] - extent[k][0], 0.0);
+
+            grid->cells[k] = (int)fmin(fmax(floor(length/edge), 1.0), 1 << 20);
+            grid->over_edge[k] = length > 0.0 ? grid->cells[k]/length : 0.0;
+            count *= grid->cells[k];
+        }
+        edge *= 1.2;
+    }
+    while (count > 4.0*(double)state->particles.n + 64.0);
+    return (uint32_t)count;
+}
+
+/* Smallest radius [m] of the scene. */
+static double smallest_radius(const struct dem_interaction_table *t)
+{
+    double min = INFINITY;
+
+    for (int m = 0; m < t->materials; m++)
+    {
+        min = t->min_radius[m] > 0.0 ? fmin(min, t->min_radius[m]) : min;
+    }
+    return min;
+}
+
+/* Levels from the largest particles to the smallest. Returns the number of cells. */
+static uint32_t choose_levels(const struct dem_state *state, struct dem_device_lists *l)
 {
     const struct dem_domain *const domain = &state->domain;
-    double extent[3][2], count;
+    const double min = smallest_radius(&state->interaction_table);
+    double extent[3][2], radius = state->pairs.max_radius;
+    uint32_t cells = 0;
 
     for (int k = 0; k < 3; k++)
     {
@@ -92,25 +121,26 @@ static void choose_cells(const struct dem_state *state, double edge, struct dem_
             extent[k][1] = domain->min[k] + domain->length[k];
         }
     }
+    for (int k = 0; k < 3; k++)
+    {
+        l->origin[k] = extent[k][0];
+    }
     do
     {
-        count = 1.0;
-        for (int k = 0; k < 3; k++)
-        {
-            const double length = fmax(extent[k][1] - extent[k][0], 0.0);
+        struct dem_device_level *const grid = &l->level[l->levels++];
 
-            l->cells[k] = (int)fmin(fmax(floor(length/edge), 1.0), 1 << 20);
-            l->origin[k] = extent[k][0];
-            l->over_edge[k] = length > 0.0 ? l->cells[k]/length : 0.0;
-            count *= l->cells[k];
-        }
-        edge *= 1.2;
+        grid->radius = radius;
+        grid->first = cells;
+        cells += choose_cells(state, extent, (2.0*radius + l->gap)*(1.0 + 1e-6), grid);
+        radius /= LEVEL_FACTOR;
     }
-    while (count > 4.0*(double)state->particles.n + 64.0);
+    while (LEVEL_FACTOR*radius > SIZE_RATIO*min && l->levels < DEM_DEVICE_LEVELS);
+    return cells;
 }
 
 static struct dem_device_lists constants_of(const struct dem_device *d,
-                                            const struct dem_state *state, double skin)
+                                            const struct dem_state *state, double skin,
+                                            uint32_t *cells)
 {
     const struct dem_domain *const domain = &state->domain;
     const struct dem_device_rows *const old = &d->list[d->at];
@@ -118,7 +148,7 @@ static struct dem_device_lists constants_of(const struct dem_device *d,
 
     memset(&l, 0, sizeof l);
     l.gap = state->pairs.reach + skin;
-    choose_cells(state, (2.0*state->pairs.max_radius + l.gap)*(1.0 + 1e-6), &l);
+    *cells = choose_levels(state, &l);
     for (int k = 0; k < 3; k++)
     {
         l.periodic[k] = domain->periodic[k];
@@ -163,11 +193,9 @@ int dem_device_keep_images(struct dem_device *d)
 }
 
 /* Particles wrapped, and ordered by cell. */
-static int sort_particles(struct dem_device *d, const struct dem_device_lists *l)
+static int sort_particles(struct dem_device *d, size_t n, size_t cells)
 {
     struct dem_opencl_kernel *const *const k = d->of_lists;
-    const size_t n = l->particles,
-                 cells = (size_t)l->cells[0]*(size_t)l->cells[1]*(size_t)l->cells[2];
 
     DEM_TRY(dem_opencl_reserve(d->cl, &d->cell, n*sizeof(uint32_t)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->place, n*sizeof(uint32_t)));
@@ -250,12 +278,12 @@ int dem_device_make_lists(struct dem_device *d, const struct dem_state *state, d
                           int *outside)
 {
     struct dem_device_rows *const old = &d->list[d->at], *const list = &d->list[1 - d->at];
-    struct dem_device_lists l = constants_of(d, state, skin);
-    uint32_t left = 0;
+    uint32_t left = 0, cells;
+    struct dem_device_lists l = constants_of(d, state, skin, &cells);
 
     DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
     DEM_TRY(dem_opencl_write(d->cl, &d->largest, 0, sizeof left, &left));
-    DEM_TRY(sort_particles(d, &l));
+    DEM_TRY(sort_particles(d, l.particles, cells));
     DEM_TRY(dem_device_find_candidates(d, state));
     DEM_TRY(count(d, state, list));
     DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof left, &left));

@@ -2,8 +2,9 @@
  * lists.cl -- new neighbor lists on the device: pairs within the outer skin, the entries that each
  * particle sums, and the history of the pairs that stay.
  *
- * Particles are wrapped and counted into cells that are not smaller than the longest reach of a pair.
- * Each particle looks at its own and the 26 cells around it, across periodic faces with the shift of
+ * Particles are wrapped and counted into the cells of their level: those of about one size, and cells
+ * as wide as the longest reach of a pair of them. Each particle looks at the cells of all levels within
+ * its reach, across periodic faces with the shift of
  * the image. It lists its partners by id, then by shift; then the facets that it is near. Rows are
  * numbered by pair class, then by the particle with the lower id, then by partner. So lists depend on
  * positions and ids only.
@@ -72,11 +73,29 @@ kernel void lists_images(uint rows, uint walls, global const double4 *restrict r
     }
 }
 
-static int dem_cell_of(constant struct dem_device_lists *l, int axis, double x)
+static int dem_cell_of(constant struct dem_device_lists *l, int level, int axis, double x)
 {
-    const double at = (x - l->origin[axis])*l->over_edge[axis];
+    const double at = (x - l->origin[axis])*l->level[level].over_edge[axis];
 
-    return at > 0.0 ? (int)fmin(at, (double)(l->cells[axis] - 1)) : 0;
+    return at > 0.0 ? (int)fmin(at, (double)(l->level[level].cells[axis] - 1)) : 0;
+}
+
+static int dem_level_of(constant struct dem_device_lists *l, double radius)
+{
+    int level = 0;
+
+    while (level + 1 < l->levels && radius <= l->level[level + 1].radius)
+    {
+        level++;
+    }
+    return level;
+}
+
+static uint dem_cell_at(constant struct dem_device_lists *l, int level, const int c[3])
+{
+    constant const struct dem_device_level *const grid = &l->level[level];
+
+    return grid->first + (uint)((c[2]*grid->cells[1] + c[1])*grid->cells[0] + c[0]);
 }
 
 /* Wrap (as dem_domain_wrap), take the position as reference of displacements, count into a cell.
@@ -96,6 +115,7 @@ kernel void lists_cells(constant struct dem_device_lists *l, global double4 *res
     double x[3] = {at.x, at.y, at.z};
     double4 rest = record[4*(size_t)i + 3];
     uint image = dem_image(as_ulong(rest.z));
+    const int level = dem_level_of(l, at.w);
     int c[3];
 
     for (int k = 0; k < 3; k++)
@@ -119,12 +139,12 @@ kernel void lists_cells(constant struct dem_device_lists *l, global double4 *res
         {
             *outside = 1;
         }
-        c[k] = dem_cell_of(l, k, x[k]);
+        c[k] = dem_cell_of(l, level, k, x[k]);
     }
     rest.z = as_double((as_ulong(rest.z) & 0xffffffffu) | (ulong)image << 32);
     record[4*(size_t)i] = reference[i] = (double4)(x[0], x[1], x[2], at.w);
     record[4*(size_t)i + 3] = rest;
-    cell[i] = (uint)((c[2]*l->cells[1] + c[1])*l->cells[0] + c[0]);
+    cell[i] = dem_cell_at(l, level, c);
     place[i] = atomic_inc((volatile global uint *)count + cell[i]);
 }
 
@@ -196,6 +216,25 @@ static uint dem_try_partner(constant struct dem_device_lists *l,
     return 1;
 }
 
+/* The cells of a level along an axis within a distance of x; below 0 and past the last they are of
+   periodic images. */
+static void dem_cell_range(constant struct dem_device_lists *l, int level, int axis, double x,
+                           double distance, int range[2])
+{
+    constant const struct dem_device_level *const grid = &l->level[level];
+
+    for (int side = 0; side < 2; side++)
+    {
+        const double end = x + (side ? distance : -distance);
+
+        range[side] = l->periodic[axis]
+                          ? (int)floor((end - l->origin[axis])*grid->over_edge[axis])
+                          : dem_cell_of(l, level, axis, end);
+    }
+    range[0] = max(range[0], -grid->cells[axis]);
+    range[1] = min(range[1], 2*grid->cells[axis] - 1);
+}
+
 /* All particles near this one. Returns their number. */
 static uint dem_find_partners(constant struct dem_device_lists *l,
                               global const double4 *restrict record,
@@ -203,31 +242,41 @@ static uint dem_find_partners(constant struct dem_device_lists *l,
                               global const int *classes, uint i, global uint *rows,
                               global uint *list)
 {
-    const double4 x = record[4*(size_t)i];
-    const int at[3] = {dem_cell_of(l, 0, x.x), dem_cell_of(l, 1, x.y), dem_cell_of(l, 2, x.z)};
+    const double4 at = record[4*(size_t)i];
+    const double x[3] = {at.x, at.y, at.z};
     uint n = 0;
 
-    for (int near = 0; near < 27; near++)
+    for (int level = 0; level < l->levels; level++)
     {
-        int c[3] = {at[0] + near%3 - 1, at[1] + near/3%3 - 1, at[2] + near/9 - 1}, s[3], inside = 1;
+        /* wider than rounding */
+        const double distance = (at.w + l->level[level].radius + l->gap)*(1.0 + 1e-6);
+        int range[3][2], c[3];
 
         for (int k = 0; k < 3; k++)
         {
-            const int low = c[k] < 0, high = c[k] >= l->cells[k];
-
-            s[k] = low - high;    /* r = x_i - x_j + s L */
-            inside &= l->periodic[k] || !(low | high);
-            c[k] += s[k]*l->cells[k];
+            dem_cell_range(l, level, k, x[k], distance, range[k]);
         }
-        if (!inside)
+        for (c[2] = range[2][0]; c[2] <= range[2][1]; c[2]++)
         {
-            continue;
-        }
-        const uint cell = (uint)((c[2]*l->cells[1] + c[1])*l->cells[0] + c[0]);
+            for (c[1] = range[1][0]; c[1] <= range[1][1]; c[1]++)
+            {
+                for (c[0] = range[0][0]; c[0] <= range[0][1]; c[0]++)
+                {
+                    int in[3], s[3];    /* r = x_i - x_j + s L */
 
-        for (uint e = first[cell]; e < first[cell + 1]; e++)
-        {
-            n += dem_try_partner(l, record, classes, i, order[e], s, rows, list, n);
+                    for (int k = 0; k < 3; k++)
+                    {
+                        s[k] = (c[k] < 0) - (c[k] >= l->level[level].cells[k]);
+                        in[k] = c[k] + s[k]*l->level[level].cells[k];
+                    }
+                    const uint cell = dem_cell_at(l, level, in);
+
+                    for (uint e = first[cell]; e < first[cell + 1]; e++)
+                    {
+                        n += dem_try_partner(l, record, classes, i, order[e], s, rows, list, n);
+                    }
+                }
+            }
         }
     }
     return n;

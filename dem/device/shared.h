@@ -19,6 +19,7 @@ enum
     DEM_DEVICE_WALL_SUMS = 7,   /* load and work of a wall */
     DEM_DEVICE_LAWS = 16,       /* DEM_EFFECT_LIST_LIMIT */
     DEM_DEVICE_MATERIALS = 32,  /* as DEM_MATERIALS */
+    DEM_DEVICE_LEVELS = 8,      /* grids of cells, at most */
     DEM_DEVICE_NEAR = 16,       /* facets that one particle touches, at most */
     DEM_DEVICE_TRIANGLE_BITS = 23,    /* of a candidate; above them its image: three bits an axis */
     DEM_DEVICE_TRIANGLES = 1 << DEM_DEVICE_TRIANGLE_BITS,
@@ -98,14 +99,23 @@ struct dem_device_axes
     int flat[3];
 };
 
+/* cells of the particles with at most this radius, and more than the next level's */
+struct dem_device_level
+{
+    double radius, over_edge[3];            /* m, 1/m */
+    int cells[3];
+    uint32_t first;                         /*    cell, of those of all levels */
+};
+
 /* new lists, and the lists that they replace */
 struct dem_device_lists
 {
-    double origin[3], over_edge[3];         /* m, 1/m  of the cells */
+    struct dem_device_level level[DEM_DEVICE_LEVELS];
+    double origin[3];                       /* m  of the cells */
     double min[3], max[3], length[3], unit[3];    /* m  dem_domain */
     double gap;                             /* m  of pairs, at most */
     double grid_origin[3], grid_edge;       /* m  of the cells of triangles */
-    int cells[3], periodic[3], grid_cells[3];
+    int levels, periodic[3], grid_cells[3];
     int frames;                             /*    of walls */
     uint32_t walls;                         /*    the first row of a wall */
     uint32_t particles, facets, materials, columns;
