@@ -104,7 +104,8 @@ def suspensions(table, points):
     runs = sorted((HERE/"runs/random").glob("*"))
     for name in dict.fromkeys(run.name.rsplit("-", 1)[0] for run in runs):
         law, e = name.split("-")
-        e, d, height = float(e), 5e-4, 0.03
+        e, d = float(e), 5e-4
+        height = 0.12 if e == 0.9 else 0.03
         read = [results.record(run) for run in runs if run.name.startswith(name)]
         front, frontCi = results.mean_of([interface(time, position, height)
                                           for time, position, _ in read])
