@@ -132,8 +132,8 @@ int dem_contact_rows_number(struct dem_contact_rows *c, struct dem_pair_list *p,
     return DEM_OK;
 }
 
-/* As with rows, each entry is written, and the index advances only if its pair has a row: no branch hangs on what is
-   near. */
+/* As with rows, each entry is written, and the index advances only if its pair has a row: no branch depends on what
+   is near. */
 static uint32_t list_entries(struct dem_contact_rows *c, const struct dem_pair_list *p, size_t n)
 {
     const struct dem_pair *const pair = p->pair;

@@ -99,6 +99,9 @@ int dem_device_get_particles(struct dem_device *, struct dem_state *);
 int dem_device_check(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
                      double skin, int *changes, int *end);
 
+/* Smallest radius [m] of the scene. */
+double dem_device_smallest_radius(const struct dem_interaction_table *);
+
 /* device_lists.c: constants of lists; new lists from the present positions, with this skin [m]
    (outside: 1 when a particle has left the domain, so that the host has to look); largest
    displacement [m] since the lists were made; the present positions as its reference. */

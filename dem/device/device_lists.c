@@ -92,8 +92,7 @@ static uint32_t choose_cells(const struct dem_state *state, double extent[3][2],
     return (uint32_t)count;
 }
 
-/* Smallest radius [m] of the scene. */
-static double smallest_radius(const struct dem_interaction_table *t)
+double dem_device_smallest_radius(const struct dem_interaction_table *t)
 {
     double min = INFINITY;
 
@@ -108,7 +107,7 @@ static double smallest_radius(const struct dem_interaction_table *t)
 static uint32_t choose_levels(const struct dem_state *state, struct dem_device_lists *l)
 {
     const struct dem_domain *const domain = &state->domain;
-    const double min = smallest_radius(&state->interaction_table);
+    const double min = dem_device_smallest_radius(&state->interaction_table);
     double extent[3][2], radius = state->pairs.max_radius;
     uint32_t cells = 0;
 

@@ -97,7 +97,8 @@ static void choose_skins(struct dem_device *d, struct dem_state *state)
     const double outer = s->skin[DEM_LIST_OUTER], max = s->tuned ? s->max : outer;
 
     d->min_skin = outer;
-    d->max_skin = fmax(max, outer);
+    /* with wider ones small particles would have too many partners */
+    d->max_skin = fmax(outer, fmin(max, 4.0*dem_device_smallest_radius(&state->interaction_table)));
     d->list_steps = state->decomposition.ranks > 1 ? LIST_STEPS_OF_HOST : LIST_STEPS;
     dem_skins_init(s, (const double[2]){outer, outer}, 0, outer, d->max_skin);
     dem_request_rebuild(state);

@@ -4,10 +4,9 @@
  *
  * Particles are wrapped and counted into the cells of their level: those of about one size, and cells
  * as wide as the longest reach of a pair of them. Each particle looks at the cells of all levels within
- * its reach, across periodic faces with the shift of
- * the image. It lists its partners by id, then by shift; then the facets that it is near. Rows are
- * numbered by pair class, then by the particle with the lower id, then by partner. So lists depend on
- * positions and ids only.
+ * its reach, across periodic faces with the shift of the image. It lists its partners by id, then by
+ * shift; then the facets that it is near. Rows are numbered by pair class, then by the particle with the
+ * lower id, then by partner. So lists depend on positions and ids only.
  *
  * An entry of a list is a particle or facet, and above it the shift code of the pair (as the particle
  * with the lower id sees it), or FACET.
@@ -162,27 +161,46 @@ kernel void lists_order(constant struct dem_device_lists *l, global const uint *
 
 /* ---- partners of a particle -------------------------------------------------------------------- */
 
-/* Insert a partner into a sorted list. */
-static void dem_insert_partner(global const double4 *restrict record, global uint *list, uint n,
-                               uint partner, long id)
+/* Order of a list: by id, then by shift; facets after all particles. 1: a belongs after b. */
+static int dem_partner_after(global const double4 *restrict record, uint a, uint b)
 {
-    uint at = n;
+    const uint shift_a = a >> SHIFT_BITS, shift_b = b >> SHIFT_BITS, place = (1u << SHIFT_BITS) - 1;
 
-    for (; at > 0; at--)
+    if (shift_a == FACET || shift_b == FACET)
     {
-        const uint before = list[at - 1];
-        const long other = dem_id(record, before & ((1u << SHIFT_BITS) - 1));
-
-        if (other < id || (other == id && before >> SHIFT_BITS < partner >> SHIFT_BITS))
-        {
-            break;
-        }
-        list[at] = before;
+        return shift_b != FACET;
     }
-    list[at] = partner;
+    const long id_a = dem_id(record, a & place), id_b = dem_id(record, b & place);
+
+    return id_a > id_b || (id_a == id_b && shift_a > shift_b);
 }
 
-/* A partner that may be near: counted in its class if the row is this particle's, and inserted into
+/* Sort the n partners of a list, by Shell's method: a large particle may have thousands. */
+static void dem_sort_partners(global const double4 *restrict record, global uint *list, uint n)
+{
+    uint gap = 1;
+
+    while (3*gap + 1 < n)
+    {
+        gap = 3*gap + 1;
+    }
+    for (; gap > 0; gap /= 3)
+    {
+        for (uint k = gap; k < n; k++)
+        {
+            const uint here = list[k];
+            uint at = k;
+
+            for (; at >= gap && dem_partner_after(record, list[at - gap], here); at -= gap)
+            {
+                list[at] = list[at - gap];
+            }
+            list[at] = here;
+        }
+    }
+}
+
+/* A partner that may be near: counted in its class if the row is this particle's, and appended to
    the list unless that is NULL. Returns 1 if it is one. */
 static uint dem_try_partner(constant struct dem_device_lists *l,
                             global const double4 *restrict record, global const int *classes,
@@ -206,7 +224,7 @@ static uint dem_try_partner(constant struct dem_device_lists *l,
     {
         const uint code = (uint)dem_shift_code(sign*s[0], sign*s[1], sign*s[2]);
 
-        dem_insert_partner(record, list, n, j | code << SHIFT_BITS, id_j);
+        list[n] = j | code << SHIFT_BITS;
     }
     else if (first)
     {
@@ -282,7 +300,7 @@ static uint dem_find_partners(constant struct dem_device_lists *l,
     return n;
 }
 
-/* A facet: counted in its class, or inserted into the list. */
+/* A facet: counted in its class, or appended to the list. */
 static void dem_add_facet(constant struct dem_device_lists *l, global const int *wall_classes,
                           uint material, uint facet, uint i, global uint *rows, global uint *list,
                           uint n)
@@ -377,6 +395,7 @@ kernel void lists_find(constant struct dem_device_lists *l, global const double4
         global uint *const own = list + start[i];
         const uint n = dem_find_partners(l, record, first, order, classes, i, 0, own);
 
+        dem_sort_partners(record, own, n);
         dem_find_facets(l, record, facets, frames, wall_classes, triangles, candidate_start,
                         candidates, i, 0, own + n);
     }
@@ -424,11 +443,14 @@ kernel void lists_entries(constant struct dem_device_lists *l,
 
         if (code != FACET && dem_id(record, j) < dem_id(record, i))
         {
-            uint at = start[j];
+            const uint mine = i | code << SHIFT_BITS;
+            uint at = start[j], end = start[j + 1];
 
-            while (at + 1 < start[j + 1] && list[at] != (i | code << SHIFT_BITS))
+            while (at + 1 < end)
             {
-                at++;
+                const uint middle = at + (end - at)/2;
+
+                *(dem_partner_after(record, list[middle], mine) ? &end : &at) = middle;
             }
             entry[e] = entry[at] + 1;
         }
@@ -452,6 +474,7 @@ kernel void lists_history(constant struct dem_device_lists *l,
                           global const uint4 *restrict near, global const uint *restrict former_place)
 {
     const uint i = get_global_id(0);
+    uint next = 0;    /* both lists are in the same order: where a pair is likely to be */
 
     for (uint e = i < l->particles ? start[i] : 0; i < l->particles && e < start[i + 1]; e++)
     {
@@ -473,15 +496,17 @@ kernel void lists_history(constant struct dem_device_lists *l,
             wall ? dem_image_of_row(bits, j, facets, images, near, row - l->walls)
                  : dem_image_of_pair((int)code, dem_image(bits), dem_image(dem_bits(record, j)));
 
-        for (uint o = first; o < end && former == UINT_MAX; o++)
+        for (uint k = 0; k < end - first && former == UINT_MAX; k++)
         {
-            const uint r = old_entry[o] >> 1;
+            const uint o = first + (next + k)%(end - first), r = old_entry[o] >> 1;
             const uint other = old_partners[r].y & ((1u << SHIFT_BITS) - 1);
 
-            former = !(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == former_j &&
-                          old_image[r] == image
-                      ? r
-                      : UINT_MAX;
+            if (!(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == former_j &&
+                old_image[r] == image)
+            {
+                former = r;
+                next = o + 1 - first;
+            }
         }
         const int known = former != UINT_MAX && old_touch[former] & DEM_DEVICE_TOUCHES;
 

@@ -26,8 +26,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Slip over |u| below which it is the rounding of u's sum over cells, which depends on the ranks: J over it
-   is no number. */
+/* A slip of this part of its terms is rounding: u is a sum over cells whose order depends on the ranks. */
 #define SLIP_ROUNDING 1e-12
 
 /* prepare_bodies of all effects; on grains, where the particles are parcels. */
@@ -151,7 +150,7 @@ static void response_of_added_mass(struct dem_particles *particles, double windo
     }
 }
 
-/* |u - v(start)|, u of the undisturbed fluid with its eddies; 0 where it is rounding of u and v. */
+/* |u - v(start)|, u of the undisturbed fluid with its eddies; at least the rounding of its terms. */
 static double slip_at_start(const struct dem_particles *particles, size_t i)
 {
     const double *const u = dem_column(particles, DEM_COLUMN_FLUID_VELOCITY) + 3*i,
@@ -166,9 +165,9 @@ static double slip_at_start(const struct dem_particles *particles, size_t i)
                      slip = u[axis] - own + eddy[axis] - start[axis];
 
         sum += slip*slip;
-        scale += u[axis]*u[axis];
+        scale += u[axis]*u[axis] + own*own + eddy[axis]*eddy[axis] + start[axis]*start[axis];
     }
-    return sum > SLIP_ROUNDING*SLIP_ROUNDING*scale ? sqrt(sum) : 0.0;
+    return sqrt(fmax(sum, SLIP_ROUNDING*SLIP_ROUNDING*scale));
 }
 
 void dem_bodies_end_window(struct dem_particles *particles, const struct dem_domain *domain,
@@ -194,8 +193,10 @@ void dem_bodies_end_window(struct dem_particles *particles, const struct dem_dom
             inverse_mass > 0.0
                 ? (1.0 - dem_column(particles, DEM_COLUMN_DECAY_FACTOR)[i])/inverse_mass
                 : 0.0;
-        const double response = inverse_mass == 0.0 || drag >= drag_integral*slip ? drag_integral : drag/slip,
-                     least = free/slip_factor;
+        const double most = drag_integral*slip, least = free/slip_factor,
+                     response = inverse_mass == 0.0 || drag > most ? drag_integral
+                                : slip > 0.0                       ? drag/slip
+                                                                   : 0.0;
 
         dem_column(particles, DEM_COLUMN_RESPONSE)[i] = law*(response > least ? response : least);
         dem_column(particles, DEM_COLUMN_TRANSMITTED_FRACTION)[i] =

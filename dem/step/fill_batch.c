@@ -325,16 +325,11 @@ static void fill_walls(struct dem_contact_workspace *t, const struct dem_state *
     }
 }
 
-static int lanes_of(int rows)
-{
-    return (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
-}
-
 void dem_contact_batch_fill_pairs(struct dem_contact_workspace *t, const struct dem_state *state,
                                   const struct dem_effect_list *effects,
                                   const struct dem_row_partners *partners, int rows)
 {
-    t->batch.n = lanes_of(rows);
+    t->batch.n = dem_contact_batch_lanes(rows);
     dem_gather_pairs(t, state, effects->needs, partners);
     if (state->cell.active)
     {
@@ -352,7 +347,7 @@ void dem_contact_batch_fill(struct dem_contact_workspace *t, const struct dem_st
 {
     uint32_t padded[DEM_BATCH_ROWS];
 
-    t->batch.n = lanes_of(rows);
+    t->batch.n = dem_contact_batch_lanes(rows);
     if (effects->pair.with_wall || effects->past_touching)
     {
         pad(t, state->contacts.rows.pair + row, rows, padded);

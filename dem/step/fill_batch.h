@@ -14,8 +14,13 @@
 void dem_contact_batch_fill(struct dem_contact_workspace *, const struct dem_state *,
                             const struct dem_effect_list *, uint32_t row, int rows);
 
-/* The same for `rows` pairs of particles with these partners, DEM_LANES - 1 repetitions and
-   DEM_ROWS_AHEAD valid ones more, of a class without effects past touching. */
+static inline int dem_contact_batch_lanes(int rows)
+{
+    return (rows + DEM_LANES - 1)/DEM_LANES*DEM_LANES;
+}
+
+/* The same for `rows` pairs of particles of a class without effects past touching. `partners`: of all lanes,
+   those past the last row repeat it, and DEM_ROWS_AHEAD more. */
 void dem_contact_batch_fill_pairs(struct dem_contact_workspace *, const struct dem_state *,
-                                  const struct dem_effect_list *, const struct dem_row_partners *,
-                                  int rows);
+                                  const struct dem_effect_list *,
+                                  const struct dem_row_partners *partners, int rows);

@@ -1,6 +1,7 @@
 /*
  * sweep_contacts.c -- for each batch of contact rows: gather the partners, apply the effects of the
- * class (contact_effects.c), store one contact force a row.
+ * class (contact_effects.c), store one contact force a row. Where few rows touch, a stretch of rows at a time
+ * (touching_rows.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -192,8 +193,8 @@ static int sweep_class(struct dem_state *state, struct dem_contact_workspace *t,
     const struct dem_segment *const seg = &state->contacts.rows.segment[class];
     struct dem_contact_forces *const forces = &state->contacts.forces;
     const int with_wall = effects->pair.with_wall, observed = !bodies || !bodies->unobserved,
-              few_touch = dem_touching_rows_pay(state, effects);
-    const uint32_t most = few_touch ? DEM_STRETCH_ROWS : DEM_BATCH_ROWS, end = seg->first + seg->count;
+              compact = dem_touching_rows_pay(state, effects);
+    const uint32_t most = compact ? DEM_STRETCH_ROWS : DEM_BATCH_ROWS, end = seg->first + seg->count;
     int rows;
 
     for (uint32_t row = seg->first; row < end; row += (uint32_t)rows)
@@ -205,7 +206,7 @@ static int sweep_class(struct dem_state *state, struct dem_contact_workspace *t,
             .rows = rows,
             .to = dem_store_target(forces, dem_contact_forces_slot(forces, seg, with_wall, row))};
 
-        if (few_touch)
+        if (compact)
         {
             dem_touching_rows_sweep(state, t, effects, row, rows, &at.to);
         }

@@ -43,7 +43,8 @@ static int select_touching(const struct dem_pairs *s, const struct dem_particle 
     return n;
 }
 
-/* Columns of the history of touching rows: out of the rows, which are cleared, and back. */
+/* Columns of the history of touching rows: out of the rows, which are cleared, and back. Lanes past the last
+   row have none. */
 static void take_history(const struct dem_contact_history *h, uint32_t row, int rows,
                          const uint16_t *touching, int n, double (*column)[DEM_STRETCH_ROWS])
 {
@@ -54,6 +55,10 @@ static void take_history(const struct dem_contact_history *h, uint32_t row, int 
         for (int k = 0; k < n; k++)
         {
             column[m][k] = from[touching[k]];
+        }
+        for (int k = n; k%DEM_LANES; k++)
+        {
+            column[m][k] = 0.0;
         }
         memset(from, 0, (size_t)rows*sizeof *from);
     }
@@ -99,20 +104,19 @@ void dem_touching_rows_sweep(struct dem_state *state, struct dem_contact_workspa
     const int n = select_touching(&state->pairs, state->particles.record, r->partners + row, rows,
                                   touching);
 
-    for (int k = 0; k < n; k++)
-    {
-        partners[k] = r->partners[row + touching[k]];
-    }
-    /* lanes past the last row repeat it */
-    for (int k = n; k < n + DEM_ROWS_AHEAD; k++)
-    {
-        partners[k] = partners[n > 0 ? n - 1 : 0];
-    }
     take_history(h, row, rows, touching, n, column);
     memset(to->force, 0, (size_t)rows*sizeof *to->force);
     if (to->moment)
     {
         memset(to->moment, 0, (size_t)rows*sizeof *to->moment);
+    }
+    if (n == 0)
+    {
+        return;
+    }
+    for (int k = 0; k < dem_contact_batch_lanes(n) + DEM_ROWS_AHEAD; k++)
+    {
+        partners[k] = r->partners[row + touching[k < n ? k : n - 1]];
     }
     for (int first = 0; first < n; first += DEM_BATCH_ROWS)
     {

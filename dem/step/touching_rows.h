@@ -1,6 +1,6 @@
 /*
- * touching_rows.h -- contact forces of a stretch of rows of which few touch: only those that do become
- * batches, with the same bits.
+ * touching_rows.h -- compaction: contact forces of a stretch of rows of which few touch. Only those that do
+ * become batches, with the same bits.
  *
  * In an agitated bed most candidate contacts are apart. The distance of a row takes a small part of the
  * time of its geometry and laws.

@@ -1,6 +1,6 @@
 /*
  * test_following.c -- which particles follow the fluid: free ones of less than 10 times its density, clumps and
- * parcels by their solid. The response of a sphere that moves with its fluid does not hang on rounding.
+ * parcels by their solid. The response of a sphere that moves with its fluid does not depend on rounding.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -30,17 +30,17 @@ static void which(const char *what, const char *more, const char *form, double d
     dem_free(w);
 }
 
-/* R over the integral of b of a free light sphere at 0.3 m/s, slip times 0.3 m/s slower than the fluid. */
-static double response(double slip)
+/* R over the integral of b of a light sphere at this velocity, in a fluid slip times the velocity faster; g: across. */
+static double response(double velocity, double slip, double g)
 {
-    struct dem_case *const c = world_begin(
-        "materials { solid { density 1000; youngsModulus 1e6; } } effects { hertz {} stokesDrag {} }"
-        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); velocity (0.3 0 0); } } time { step 5e-7; }");
+    struct dem_case *const c = world_begin(world_text(
+        "materials { solid { density 1000; youngsModulus 1e6; } } effects { hertz {} stokesDrag {} gravity { acceleration (0 %g 0); } }"
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); velocity (%g 0 0); } } time { step 5e-7; }", g, velocity));
     struct dem *const w = world_start(c);
     struct dem_fluid f;
 
     WORLD_TRY(dem_fluid(w, &f));
-    f.velocity[0] = 0.3*(1.0 + slip), f.void_fraction[0] = 1.0, f.density[0] = 1000.0, f.viscosity[0] = 1e-3;
+    f.velocity[0] = velocity*(1.0 + slip), f.void_fraction[0] = 1.0, f.density[0] = 1000.0, f.viscosity[0] = 1e-3;
     world_run(w, 1e-3);
     WORLD_TRY(dem_fluid(w, &f));
     const double ratio = f.response[0]/f.drag_integral[0];
@@ -67,12 +67,21 @@ int main(void)
 
     /* T/tau = 1e-3 18 mu/(rho d^2) = 1.8 */
     const double free_response = (1.0 - exp(-1.8))/1.8;
-    TAP_OK(fabs(response(1e-3)/free_response - 1.0) < 1e-9, "free: %g of b T, closed form %g", response(1e-3),
-           free_response);
-    TAP_OK(response(0.0) == 1.0, "at the fluid's velocity: %g of b T", response(0.0));
+    TAP_OK(fabs(response(0.3, 1e-3, 0.0)/free_response - 1.0) < 1e-9, "free: %g of b T, closed form %g",
+           response(0.3, 1e-3, 0.0), free_response);
+    TAP_OK(fabs(response(0.0, 0.0, 0.0)/free_response - 1.0) < 1e-9, "all at rest: %g", response(0.0, 0.0, 0.0));
     for (double units = -8; units <= 8; units++)
     {
-        TAP_OK(response(units*DBL_EPSILON) == 1.0, "at %g roundings from it: %g", units, response(units*DBL_EPSILON));
+        const double r = response(0.3, units*DBL_EPSILON, 0.0), pulled = response(0.3, units*DBL_EPSILON, 9.81);
+
+        TAP_OK(fabs(r/free_response - 1.0) < 1e-9, "%g roundings from the fluid's velocity: %g", units, r);
+        TAP_OK(pulled == 1.0, "the same under gravity: %g", pulled);
+    }
+    for (int power = -14; power <= -9; power++)
+    {
+        const double r = response(0.3, pow(10.0, power), 0.0);
+
+        TAP_OK(fabs(r/free_response - 1.0) < 0.02, "slip of 1e%d of the velocity: %g", power, r);
     }
     TAP_DONE;
 }

@@ -7,7 +7,7 @@
  *   sampled in every step, in some or in none.
  * - With periodic faces across it some rows exceed the ring and are deferred; a scene of few rows
  *   has no ring.
- * - With wide skins few rows touch, and only those become batches; with thin ones all rows do.
+ * - With wide skins few rows touch, and only those become batches; with thin ones all rows become batches.
  *
  * Reference: a step with output, which keeps every contact force; the run with thin skins.
  *
@@ -25,18 +25,20 @@ enum
     STEPS = 50
 };
 
-/* `high` layers of a cubic lattice, compressed by a thousandth, with random velocities; `more`:
-   other entries. */
-static struct dem *block(int high, const char *more)
+static const char friction[] = "mindlin { friction 0.4; }";
+
+/* `high` layers of a cubic lattice, compressed by a thousandth, with random velocities; `more`: other entries;
+   laws: besides those of impacts. */
+static struct dem *block(int high, const char *laws, const char *more)
 {
     char *const scene = world_text(
         "materials { glass { density 2500; youngsModulus 5e6; poissonsRatio 0.3; } }"
-        "effects { hertz { } dry { restitution 0.8; } mindlin { friction 0.4; } "
+        "effects { hertz { } dry { restitution 0.8; } %s "
         "gravity { acceleration (1 2 -9.81); } }"
         "domain { x (0 0.04995); y (0 0.01199); periodic (x y); }"
         "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "time { step 5e-6; } %s",
-        more);
+        laws, more);
     struct dem_new_particle *const seed = calloc((size_t)(LAYER*high), sizeof *seed);
 
     for (int k = 0; k < LAYER*high; k++)
@@ -81,8 +83,8 @@ static const char some_steps[] =
 static void compare(int high, int round)
 {
     const int count = LAYER*high;
-    struct dem *const never = block(high, ""), *const always = block(high, every_step),
-                      *const sometimes = block(high, some_steps);
+    struct dem *const never = block(high, friction, ""), *const always = block(high, friction, every_step),
+                      *const sometimes = block(high, friction, some_steps);
 
     for (int k = 0; k < 4; k++)
     {
@@ -110,20 +112,34 @@ static void compare(int high, int round)
     dem_free(sometimes);
 }
 
-/* with these further entries: all rows in batches, and those that touch */
-static void skins(int high, const char *name, const char *more)
+/* What is on the stack afterwards is not a number. */
+static void soil_stack(void)
+{
+    volatile unsigned char below[1 << 18];
+
+    for (size_t k = 0; k < sizeof below; k++)
+    {
+        below[k] = 0xff;
+    }
+}
+
+/* With these laws and entries: all rows in batches, and only those that touch. */
+static void compact(int high, const char *name, const char *laws, const char *more)
 {
     const int count = LAYER*high;
-    struct dem *const thin = block(high, world_text("neighbours { outerSkin 0.3; innerSkin 0.02; } %s", more)),
-                      *const wide = block(high, world_text("neighbours { outerSkin 1; innerSkin 0.8; } %s", more));
+    struct dem *const thin = block(high, laws, world_text("neighbours { outerSkin 0.3; innerSkin 0.02; } %s", more)),
+                      *const wide = block(high, laws, world_text("neighbours { outerSkin 1; innerSkin 0.8; } %s", more));
 
     for (int k = 0; k < 4; k++)
     {
         world_run(thin, STEPS*5e-6);
+        soil_stack();
         world_run(wide, STEPS*5e-6);
     }
     TAP_OK(!thin->state.contacts.rows.few_touch && wide->state.contacts.rows.few_touch,
            "%s, %d spheres: few rows touch with wide skins only", name, count);
+    TAP_OK((wide->state.contacts.forces.ring > 0) == (high > 1), "%s, %d spheres: the ring is %u rows", name, count,
+           wide->state.contacts.forces.ring);
     TAP_OK(bits(wide, count) == bits(thin, count), "%s, %d spheres: the same bits", name, count);
     dem_free(thin);
     dem_free(wide);
@@ -136,10 +152,10 @@ int main(void)
     compare(5, 1);
     for (int high = 1; high <= 5; high += 4)
     {
-        skins(high, "hertz", "");
-        skins(high, "sampled", every_step);
-        skins(high, "rolling", "effects { rollingSpring { friction 0.1; } }");
-        skins(high, "no history", "effects { mindlin { friction 0; } }");
+        compact(high, "friction", friction, "");
+        compact(high, "sampled", friction, every_step);
+        compact(high, "rolling", "mindlin { friction 0.4; } rollingSpring { friction 0.1; }", "");
+        compact(high, "no history", "", "");
     }
     return tap_done();
 }
