@@ -119,9 +119,6 @@ static uint32_t choose_levels(const struct dem_state *state, struct dem_device_l
             extent[k][0] = domain->min[k];
             extent[k][1] = domain->min[k] + domain->length[k];
         }
-    }
-    for (int k = 0; k < 3; k++)
-    {
         l->origin[k] = extent[k][0];
     }
     do

@@ -92,7 +92,7 @@ static int dem_level_of(constant struct dem_device_lists *l, double radius)
 
 static uint dem_cell_at(constant struct dem_device_lists *l, int level, const int c[3])
 {
-    constant const struct dem_device_level *const grid = &l->level[level];
+    constant struct dem_device_level *const grid = &l->level[level];
 
     return grid->first + (uint)((c[2]*grid->cells[1] + c[1])*grid->cells[0] + c[0]);
 }
@@ -239,7 +239,7 @@ static uint dem_try_partner(constant struct dem_device_lists *l,
 static void dem_cell_range(constant struct dem_device_lists *l, int level, int axis, double x,
                            double distance, int range[2])
 {
-    constant const struct dem_device_level *const grid = &l->level[level];
+    constant struct dem_device_level *const grid = &l->level[level];
 
     for (int side = 0; side < 2; side++)
     {

@@ -104,7 +104,7 @@ struct dem_device_level
 {
     double radius, over_edge[3];            /* m, 1/m */
     int cells[3];
-    uint32_t first;                         /*    cell, of those of all levels */
+    uint32_t first;                         /*    its first cell; the levels share one list of cells */
 };
 
 /* new lists, and the lists that they replace */

@@ -26,7 +26,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A slip of this part of its terms is rounding: u is a sum over cells whose order depends on the ranks. */
+/* A slip of this part of its terms is rounding: u is a sum over up to thousands of cells, each with 2e-16, in an order
+   that depends on the ranks. */
 #define SLIP_ROUNDING 1e-12
 
 /* prepare_bodies of all effects; on grains, where the particles are parcels. */

@@ -30,12 +30,15 @@ static void which(const char *what, const char *more, const char *form, double d
     dem_free(w);
 }
 
-/* R over the integral of b of a light sphere at this velocity, in a fluid slip times the velocity faster; g: across. */
+/* R over the integral of b of a light sphere at this velocity [m/s], in a fluid faster by this part of it;
+   g: gravity across [m/s2]. */
 static double response(double velocity, double slip, double g)
 {
     struct dem_case *const c = world_begin(world_text(
-        "materials { solid { density 1000; youngsModulus 1e6; } } effects { hertz {} stokesDrag {} gravity { acceleration (0 %g 0); } }"
-        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); velocity (%g 0 0); } } time { step 5e-7; }", g, velocity));
+        "materials { solid { density 1000; youngsModulus 1e6; } } effects { hertz {} stokesDrag {} "
+        "gravity { acceleration (0 %g 0); } } "
+        "insert { one { type list; diameter 1e-4; positions ((0 0 0)); velocity (%g 0 0); } } time { step 5e-7; }",
+        g, velocity));
     struct dem *const w = world_start(c);
     struct dem_fluid f;
 

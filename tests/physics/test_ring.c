@@ -27,8 +27,8 @@ enum
 
 static const char friction[] = "mindlin { friction 0.4; }";
 
-/* `high` layers of a cubic lattice, compressed by a thousandth, with random velocities; `more`: other entries;
-   laws: besides those of impacts. */
+/* `high` layers of a cubic lattice, compressed by a thousandth, with random velocities. `laws`: effects
+   besides hertz, dry and gravity; `more`: other entries of the scene. */
 static struct dem *block(int high, const char *laws, const char *more)
 {
     char *const scene = world_text(
@@ -127,8 +127,9 @@ static void soil_stack(void)
 static void compact(int high, const char *name, const char *laws, const char *more)
 {
     const int count = LAYER*high;
-    struct dem *const thin = block(high, laws, world_text("neighbours { outerSkin 0.3; innerSkin 0.02; } %s", more)),
-                      *const wide = block(high, laws, world_text("neighbours { outerSkin 1; innerSkin 0.8; } %s", more));
+    static const char skins[] = "neighbours { outerSkin %g; innerSkin %g; } %s";
+    struct dem *const thin = block(high, laws, world_text(skins, 0.3, 0.02, more)),
+                      *const wide = block(high, laws, world_text(skins, 1.0, 0.8, more));
 
     for (int k = 0; k < 4; k++)
     {

@@ -15,11 +15,11 @@ with the reversal at the plate, (1 + e) times the speed of the impact, as the fi
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import numpy
+from analyse import SETS
 
 DENSITY, GRAVITY = 7800, 9.81
-# diameter [m], density and viscosity of the liquid, speed of the impact [m/s], measured e and its interval, height [mm]
-SETS = {"St 27": (6e-3, 965, 0.1, 0.518135, 0.4781, 0.033, 1.97),
-        "St 152": (3e-3, 935, 0.01, 0.584670, 0.8463, 0.052, 7.47)}
+# St: measured e and its interval (stored/result.csv), height [mm]
+MEASURED = {27: (0.4781, 0.033, 1.97), 152: (0.8463, 0.052, 7.47)}
 
 
 def highest(d, rho, mu, impact, e, history, steps=4000, end=0.08):
@@ -51,8 +51,8 @@ def highest(d, rho, mu, impact, e, history, steps=4000, end=0.08):
     raise SystemExit("history.py: the sphere still rises at the end")
 
 
-for name, (*sphere, e, interval, measured) in SETS.items():
+for St, (e, interval, measured) in MEASURED.items():
     for history in False, True:
-        heights = [highest(*sphere, e + side*interval, history) for side in (-1, 0, 1)]
-        print(f"{name}: measured {measured} mm, {'with' if history else 'without'} history"
+        heights = [highest(*SETS[St], e + side*interval, history) for side in (-1, 0, 1)]
+        print(f"St {St}: measured {measured} mm, {'with' if history else 'without'} history"
               f" {heights[1]:.2f} mm, {heights[0]:.2f} to {heights[2]:.2f} within the interval of e")
