@@ -24,17 +24,18 @@ static void add_to_extent(double at, double extent[2])
     extent[1] = fmax(extent[1], at);
 }
 
-/* A point on its way round: along an axis it is at  middle + A cos(angle) + B sin(angle). */
-static void add_rotating(const struct dem_motion *m, const double x[3], int axis, double extent[2])
+static const double whole = 6.28318530717958648;    /* turn */
+
+/* A point on its way round a centre, by an angle: along an axis it is at  middle + A cos(angle) + B sin(angle). */
+static void add_turning(const double centre[3], const double about[3], double turn, const double x[3], int axis,
+                        double extent[2])
 {
-    const double turn = m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0,
-                 whole = 6.28318530717958648;
     double d[3], across[3];
 
-    dem_vec_minus(x, m->origin, d);
-    dem_vec_cross(m->axis, d, across);
-    const double along = dem_vec_dot(d, m->axis)*m->axis[axis], a = d[axis] - along,
-                 b = across[axis], middle = m->origin[axis] + along, radius = sqrt(a*a + b*b);
+    dem_vec_minus(x, centre, d);
+    dem_vec_cross(about, d, across);
+    const double along = dem_vec_dot(d, about)*about[axis], a = d[axis] - along, b = across[axis],
+                 middle = centre[axis] + along, radius = sqrt(a*a + b*b);
 
     add_to_extent(x[axis], extent);
     if (fabs(turn) < whole)
@@ -106,7 +107,16 @@ void dem_walls_swept_point(const struct dem_walls *w, int frame, const double x[
     }
     if (f && f->motion.kind == DEM_MOTION_ROTATION)
     {
-        add_rotating(&f->motion, at, axis, extent);
+        const struct dem_motion *const m = &f->motion;
+
+        add_turning(m->origin, m->axis, m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0, at, axis, extent);
+        return;
+    }
+    const struct dem_wall_body *const b = f && f->compound ? f->compound->body : NULL;
+
+    if (b && b->kind == DEM_WALL_BODY_HINGE)
+    {
+        add_turning(b->origin, b->axis[0], whole, at, axis, extent);
         return;
     }
     if (f && f->compound)

@@ -108,29 +108,41 @@ static size_t find_root(struct link *link, size_t t, int offset[3])
     return t;
 }
 
-/* Triangle t, displaced by `offset` periods, continues triangle s: one facet. Where they are of one
-   facet already and the offset differs from that in it along one axis, the facet is endless: its
-   images by one period lie in its plane. */
+/* A facet continues in its own image, `total` periods away. Along one axis, besides those where it is endless
+   already, that makes it endless: its images by one period lie in its plane. */
+static void meet_itself(struct link *root, const int total[3])
+{
+    int axes = 0, along = 0;
+
+    for (int k = 0; k < 3; k++)
+    {
+        if (total[k] != 0 && !(root->endless >> k & 1))
+        {
+            axes++;
+            along = k;
+        }
+    }
+    root->endless |= (uint8_t)((axes == 1) << along);
+}
+
+/* Triangle t, displaced by `offset` periods, continues triangle s: one facet. */
 static void unite(struct link *link, size_t s, size_t t, const int offset[3])
 {
-    int of_s[3], of_t[3], total[3], axes = 0;
+    int of_s[3], of_t[3], total[3];
     const size_t rs = find_root(link, s, of_s), rt = find_root(link, t, of_t);
 
     for (int k = 0; k < 3; k++)
     {
         total[k] = of_s[k] + offset[k] - of_t[k];
-        axes += total[k] != 0;
+    }
+    if (rs == rt)
+    {
+        meet_itself(&link[rs], total);
+        return;
     }
     for (int k = 0; k < 3; k++)
     {
-        if (rs == rt)
-        {
-            link[rs].endless |= (uint8_t)((axes == 1 && total[k] != 0) << k);
-        }
-        else
-        {
-            link[rs < rt ? rt : rs].offset[k] = rs < rt ? total[k] : -total[k];
-        }
+        link[rs < rt ? rt : rs].offset[k] = rs < rt ? total[k] : -total[k];
     }
     link[rs < rt ? rt : rs].parent = rs < rt ? rs : rt;
     link[rs < rt ? rs : rt].endless |= link[rs < rt ? rt : rs].endless;
@@ -219,16 +231,35 @@ static void join_at(struct dem_walls *w, const struct edge *e, const struct edge
     }
 }
 
+static size_t count_endless(const struct link *link, size_t triangles)
+{
+    size_t n = 0;
+
+    for (size_t t = 0; t < triangles; t++)
+    {
+        n += (size_t)__builtin_popcount(link[t].endless);
+    }
+    return n;
+}
+
+/* As often as more axes are found along which facets are endless: those of one pass shorten the offsets of the next. */
 static void join(struct dem_walls *w, const struct edge *edge, size_t edges, struct link *link,
                  double tolerance)
 {
-    for (size_t k = 0; k < edges; k++)
+    size_t before;
+
+    do
     {
-        for (size_t m = k + 1; m < edges && same_edge(&edge[k], &edge[m]); m++)
+        before = count_endless(link, w->triangles);
+        for (size_t k = 0; k < edges; k++)
         {
-            join_at(w, &edge[k], &edge[m], link, tolerance);
+            for (size_t m = k + 1; m < edges && same_edge(&edge[k], &edge[m]); m++)
+            {
+                join_at(w, &edge[k], &edge[m], link, tolerance);
+            }
         }
     }
+    while (count_endless(link, w->triangles) != before);
 }
 
 static int add_facet(struct dem_walls *w, int wall, const double normal[3], const double point[3])

@@ -32,7 +32,7 @@ static const char down[] = "gravity { acceleration (0 0 -9.81); }",
 
 /* ---- walls as text --------------------------------------------------------------------------- */
 
-/* A wall from a mesh, with corners of `digits` digits; the caller frees the text. */
+/* A wall from a mesh, with corners of `digits` digits. */
 static char *wall_of(const struct mesh *m, const char *more, int digits)
 {
     char *const text = world_room(200 + 80*m->n*3);
@@ -449,6 +449,64 @@ static void test_bits(void)
                    -4.8e-3, "rotating tube");
 }
 
+/* ---- a plate that fills a cell with two periodic axes ------------------------------------------ */
+
+/* Bonds of a sphere with a plate across the axis `normal`, which ends at both pairs of periodic faces: two triangles, or
+   (hole) a frame around a hole of an eighth of the plate's width. The sphere touches it 0.3 R from a face along the
+   next axis, or from both faces. */
+static int64_t bonds_on(int normal, int diagonal, int hole, int corner)
+{
+    static const double ring[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+    double outer[4][3], inner[4][3];
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "g"};
+    struct mesh m = {0};
+
+    for (int k = 0; k < 4; k++)
+    {
+        for (int a = 0; a < 3; a++)
+        {
+            const int across = (a - normal + 3)%3;    /* 0: the normal */
+            const double of = across ? ring[(k + diagonal)%4][across - 1] : 0.0;
+
+            outer[k][a] = L*of;
+            inner[k][a] = across ? L*(0.5 + 0.125*(of - 0.5)) : 0.0;
+        }
+    }
+    for (int k = 0; k < 4 && hole; k++)
+    {
+        mesh_quad(&m, outer[k], outer[(k + 1)%4], inner[(k + 1)%4], inner[k]);
+    }
+    if (!hole)
+    {
+        mesh_quad(&m, outer[0], outer[1], outer[2], outer[3]);
+    }
+    seed.position[normal] = R;
+    seed.position[(normal + 1)%3] = corner ? 0.3*R : 0.25*L;
+    seed.position[(normal + 2)%3] = 0.3*R;
+    char *const walls = wall_of(&m, "", 17);
+    struct dem *const w = world(scene("bondLinear { normalStiffness 1e9; shearStiffness 0; walls yes; dampingRatio 0.1; }",
+                                      world_text("%c (0 0.016); %c (0 0.016); periodic (%c %c);",
+                                                 "xyz"[(normal + 1)%3], "xyz"[(normal + 2)%3],
+                                                 "xyz"[(normal + 1)%3], "xyz"[(normal + 2)%3]), walls), 1, &seed);
+    const int64_t bonds = world_tally(w).bonds;
+
+    dem_free(w);
+    free(m.corner);
+    return bonds;
+}
+
+static void test_filled_cell(void)
+{
+    for (int k = 0; k < 24; k++)
+    {
+        const int normal = k%3, diagonal = k/3%2, hole = k/6%2, corner = k/12;
+
+        TAP_OK(bonds_on(normal, diagonal, hole, corner) == 1,
+               "a plate across %c, diagonal %d%s, has one bond with a sphere near %s", "xyz"[normal], diagonal,
+               hole ? ", with a hole" : "", corner ? "a corner" : "a face");
+    }
+}
+
 /* ---- insertion and absorption ---------------------------------------------------------------- */
 
 /* A plate across x near the face. */
@@ -516,6 +574,18 @@ static void refused(char *walls, const char *sentence)
            dem_error_text());
 }
 
+/* A flap of 0.3 L on a hinge in the middle of the period keeps away from its faces, nearer to one it does not. */
+static void test_flap(void)
+{
+    static const char motion[] = "motion { type hinge; origin (%g 0 0); axis (0 1 0); inertia 1e-7; }";
+    const struct dem_new_particle seed = {.position = {0.5*L, 0.0, 0.1}, .diameter = 2.0*R, .material = "g"};
+    struct dem_case *const c = world_begin(scene(down, along_x, flat(0.5*L, 0.8*L, world_text(motion, 0.5*L))));
+
+    WORLD_TRY(dem_case_add_particles(c, 1, &seed));
+    TAP_OK(world_status(c) == DEM_OK, "a flap in the middle of the period may turn");
+    refused(flat(0.2*L, 0.5*L, world_text(motion, 0.2*L)), "only a rotation about x is periodic");
+}
+
 static void test_refusals(void)
 {
     refused(flat(0.0, L, "motion { type rotation; origin (0.008 0 0); axis (0 1 0); omega 1; }"),
@@ -547,7 +617,9 @@ int main(void)
     test_tube();
     test_following();
     test_bits();
+    test_filled_cell();
     test_insertion();
+    test_flap();
     test_refusals();
     return tap_done();
 }
