@@ -85,14 +85,15 @@ static int take_folder(struct dem_folder_lock *lock, const struct dem_output *o,
 static int run_scene(struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
 {
     uint64_t hash;
+    int stopped;
 
     DEM_TRY(dem_run_announce(prog, d, s));
-    DEM_TRY(dem_run_loop(prog, d, s));
+    DEM_TRY(dem_run_loop(prog, d, s, &stopped));
     DEM_TRY(dem_hash(d, &hash));
     if (prog->rank == 0)
     {
         dem_accuracy_print(&s->accuracy, dem_step_limit(d).used);
-        printf("hash %016llx%s\n", (unsigned long long)hash, dem_stopped(d) ? " at the stop" : "");
+        printf("hash %016llx%s\n", (unsigned long long)hash, stopped ? " at the stop" : "");
     }
     return DEM_OK;
 }

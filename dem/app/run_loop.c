@@ -96,6 +96,12 @@ static int tell_stages_left(const struct run_state *c)
     return DEM_OK;
 }
 
+/* 1: a signal or the file stop ends the run here, before its end. */
+static int stops(const struct run_state *c)
+{
+    return dem_stopped(c->d) || (dem_stop_requested(c->d) && c->t.time < c->s->end*(1.0 - 1e-12));
+}
+
 static int advance(struct run_state *c, double duration)
 {
     const struct dem_output *const o = &c->s->output;
@@ -130,7 +136,7 @@ static int save_stopped(struct run_state *c, int64_t number)
     {
         printf("stopped by %s at t %.9g s, after step %lld: the state is in %s, written in %.2g s; "
                "-restart %s continues, with the same bits\n",
-               dem_signal_name(dem_stopped(c->d)), c->t.time, (long long)c->t.steps, path,
+               dem_signal_name(dem_stop_requested(c->d)), c->t.time, (long long)c->t.steps, path,
                MPI_Wtime() - began, path);
         fflush(stdout);
     }
@@ -153,7 +159,7 @@ static int write_output(struct run_state *c, int64_t number)
     }
     DEM_TRY(dem_run_tables_flows(&c->tables, c->prog, c->d, c->t.time));
     DEM_TRY(dem_run_tables_losses(&c->tables, c->prog, c->d));
-    return dem_stopped(c->d) ? save_stopped(c, number) : dem_output_save(o, c->prog, c->d, number);
+    return stops(c) ? save_stopped(c, number) : dem_output_save(o, c->prog, c->d, number);
 }
 
 static int begin(struct run_state *c)
@@ -191,7 +197,7 @@ static int advance_to(struct run_state *c, double next)
 {
     const struct dem_output *const o = &c->s->output;
 
-    for (double due = 0.0; due < next;)
+    for (double due = 0.0; due < next && !stops(c);)
     {
         due = dem_next_due(o->cell, c->t.time, next);
         due = dem_next_due(o->energy, c->t.time, dem_next_due(o->walls, c->t.time, due));
@@ -248,7 +254,7 @@ static double time_of_test(const struct dem_schedule *s, int64_t checks, int64_t
                          : (double)(k/checks)*s->interval, s->end);
 }
 
-int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s)
+int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s, int *stopped)
 {
     struct run_state c = {.prog = prog,
                           .s = s,
@@ -258,6 +264,7 @@ int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem
     const int64_t checks = dem_quiet_tests(d, &c.quiet, s->interval);
     const double part = s->interval/(double)checks;
 
+    *stopped = 0;
     DEM_TRY(begin(&c));
     while (c.t.time < s->end*(1.0 - 1e-12) && !c.quiet.reached && !dem_stages_over(d))
     {
@@ -266,16 +273,22 @@ int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem
         const double next = time_of_test(s, checks, k);
 
         DEM_TRY(advance_to(&c, next));
-        if (dem_stopped(d))
-        {
-            DEM_TRY(write_output(&c, number));
-            return print_profile(prog, d, &s->output);
-        }
-        DEM_TRY(dem_quiet_test(d, &c.quiet, &c.t));
-        if (k%checks == 0 || c.quiet.reached || next == s->end || dem_stages_over(d))
+        const int reached = !(stops(&c) && c.t.time < next*(1.0 - 1e-12));
+
+        DEM_TRY(reached ? dem_quiet_test(d, &c.quiet, &c.t) : DEM_OK);
+        if (reached && (k%checks == 0 || c.quiet.reached || next == s->end || dem_stages_over(d)))
         {
             DEM_TRY(dem_output_write(&s->output, prog, d, number, next));
             DEM_TRY(write_output(&c, number));
+        }
+        else if (stops(&c))
+        {
+            DEM_TRY(write_output(&c, number));
+        }
+        if (stops(&c))
+        {
+            *stopped = 1;
+            return print_profile(prog, d, &s->output);
         }
     }
     DEM_TRY(print_profile(prog, d, &s->output));

@@ -9,5 +9,5 @@
 #include "app/scene_options.h"
 
 /* Advance to the end of the schedule, or until the particles rest, the stages are over or a signal
-   stops the run; write all output and print the summary at the end. */
-int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s);
+   stops the run (*stopped: 1); write all output and print the summary at the end. */
+int dem_run_loop(const struct dem_program *prog, struct dem *d, const struct dem_schedule *s, int *stopped);

@@ -205,6 +205,10 @@ int dem_advance(struct dem *, double duration);
 void dem_set_stop_flag(struct dem *, const volatile sig_atomic_t *asked);
 int dem_stopped(const struct dem *);
 
+/* The largest *asked of all ranks after the last step of the last dem_advance, whether it ended there or not: for a
+   program whose advances may be of one step. */
+int dem_stop_requested(const struct dem *);
+
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with
    `self`, the simulated time [s] and the number of steps made so far. The only calls of the
    library that it may make are dem_stop_file_look and dem_keep_signals. NULL ends it. */

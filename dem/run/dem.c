@@ -153,6 +153,11 @@ int dem_stopped(const struct dem *d)
     return d->state.window.half_step_ahead ? d->state.window.stopped : 0;
 }
 
+int dem_stop_requested(const struct dem *d)
+{
+    return d->state.window.stopped;
+}
+
 /* ---- save and restore ------------------------------------------------------------------------ */
 
 /* The scene goes behind the averages. */

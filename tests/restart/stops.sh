@@ -175,6 +175,18 @@ claim "snapshot no: there is one all the same" stop wander.no 1 TERM 0.004 -set 
 simulate kept 1 -set time/end 0.006 -set write/interval 0.001 -set write/snapshot all -set write/keep 2 "$work/wander.dem" > /dev/null
 claim "keep 2: the last two of seven" same "$(cd "$work/kept/out" && echo snapshot*)" "snapshot_000005.dem snapshot_000006.dem"
 
+# each_step FOLDER RANKS: rows of walls in each step, so that no signal comes within an advance
+each_step()
+{
+    start "$1" "$2" -set write/snapshot no -set write/walls 1e-6 -set time/end 10 "$work/wander.dem"
+    begun "$1" && reached "$1/out/walls.csv" "^[0-9]" 20 && kill -USR1 "$runner"
+    stopped "$1" SIGUSR1
+}
+for n in 1 2
+do
+    HWLOC_COMPONENTS= claim "rows in each step, ranks $n: stopped" each_step "each.$n" $n
+done
+
 # ---- the file stop -------------------------------------------------------------------------------
 
 # by_file FOLDER RANKS ARGUMENT ...: a run whose folder gets the file when walls.csv has a row; it is
