@@ -80,7 +80,7 @@ int64_t dem_totals_moving(const struct dem_state *state, double energy)
         struct dem_particle_share s;
 
         dem_particle_share(&state->particles, i, &s);
-        n += s.kinetic[0] + s.kinetic[1] > energy;
+        n += s.kinetic[0] + (state->particles.record[i].body ? s.kinetic[1] : 0.0) > energy;
     }
     dem_collect_sum_int64(&state->decomposition, &n, 1);
     return n;

@@ -4,9 +4,9 @@
  *     untilQuiet { kinetic 1e-6; moving 0.01; imbalance 0.01; lasting 0.1; }
  *
  * At rest, in one test:
- *   1. at most the fraction `moving` of the particles have more kinetic energy than `kinetic` times
- *      the mean energy of falling by the mean diameter, or than a particle of the mean mass at
- *      `speed`. It is a fraction and not a mean, because without rolling resistance a few spheres
+ *   1. at most the fraction `moving` of the particles have more kinetic energy (dem_count_moving) than
+ *      `kinetic` times the mean energy of falling by the mean diameter, or than a particle of the mean
+ *      mass at `speed`. It is a fraction and not a mean, because without rolling resistance a few spheres
  *      may roll for ever;
  *   2. since the last test the net force on all particles was at most `imbalance` times their
  *      weight, |P - P'| <= imbalance M |g| (t - t'), with P the momentum. A soft tall bed swings:
