@@ -122,6 +122,17 @@ static void dem_facets_near_continue(const struct dem_facets_near *v, size_t k, 
 
 #include "walls/facet_contacts.h"
 
+enum { AHEAD = 16 };    /* wall neighbors whose particles are prefetched */
+
+static void prefetch_particle(const struct dem_wall_touches *t, const struct dem_wall_search *s,
+                              const struct dem_particles *p, size_t k)
+{
+    if (k < t->listed)
+    {
+        __builtin_prefetch(p->record[s->neighbor[t->list[k]].particle].x);
+    }
+}
+
 /* A wall neighbor without a row is too far away to touch or to take over a contact, until lists are
    pruned again. */
 void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_search *s,
@@ -140,6 +151,7 @@ void dem_wall_touches_update(struct dem_wall_touches *t, const struct dem_wall_s
         for (; k < t->listed && s->neighbor[t->list[k]].particle == particle; k++)
         {
             last = t->list[k];
+            prefetch_particle(t, s, p, k + AHEAD);
             touch_facet(s, w, &s->neighbor[last], i, 0, &t->touch[last]);
             t->touch[last].drop = 0;
             touching += t->touch[last].distance < i->radius;
