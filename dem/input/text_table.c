@@ -114,7 +114,8 @@ int dem_text_table_read(struct dem_text_table *t)
 
     DEM_TRY(dem_file_load_text(t->file, &text));
     feholdexcept(&traps);    /* a number that overflows ends in a message, not in a signal */
-    const int status = read_lines(t, text);
+    /* behind the byte order mark that some editors write */
+    const int status = read_lines(t, strncmp(text, "\xef\xbb\xbf", 3) == 0 ? text + 3 : text);
 
     fesetenv(&traps);
     dem_memory_free(text);

@@ -308,6 +308,7 @@ static void refusals(void)
     refuse_table("time, z\n0, 0\n0.1\n", "is not a row of 2 numbers");
     refuse_table("time, z\n0, 0\n0.1, nan\n", "is not a row of 2 numbers");
     refuse_table("time, height\n0, 0\n1, 1\n", "unknown column \"height\"");
+    refuse_table("\xef\xbb\xbf" "time, z\n0, 0\n", "give at least two");
     refuse_table("z\n0\n1\n", "names the columns: time");
     refuse_table("time, z\n0, 0\n", "give at least two");
     refuse_table("time, z\n0, 0\n2e-5, 0\n1, 1\n",
