@@ -10,6 +10,7 @@
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demPassable.H"
+#include "emptyPolyPatch.H"
 #include "Time.H"
 
 Foam::labelList Foam::demInletsOutlets::patches
@@ -43,6 +44,13 @@ Foam::labelList Foam::demInletsOutlets::patches
         }
 
         const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        if (isA<emptyPolyPatch>(patch) || returnReduce(patch.size(), sumOp<label>()) == 0)
+        {
+            FatalIOErrorInFunction(group)
+                << groups.dictName() << "/" << iter().keyword() << ": patch " << name
+                << (isA<emptyPolyPatch>(patch) ? " is of type empty" : " has no faces")
+                << ", so particles cannot pass it; name another one" << exit(FatalIOError);
+        }
         if (demPassable::is(patch) || dict.isWall(patch))
         {
             const std::string what

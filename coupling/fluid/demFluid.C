@@ -7,6 +7,7 @@
 #include "demFluid.H"
 #include "demFiles.H"
 #include "demDict.H"
+#include "fvOptionList.H"
 #include "uniformDimensionedFields.H"
 #include "HashSet.H"
 #include "turbulenceModel.H"
@@ -227,6 +228,28 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
         mesh_,
         dimensionedScalar("rho", dimDensity, uniformDensity(mesh_, dict_.coupling()))
     );
+}
+
+
+void Foam::demFluid::checkSources(const fv::optionList& sources)
+{
+    for (const fv::option& source : sources)
+    {
+        if (source.type() == "buoyancyForce")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << source.name() << " of type buoyancyForce, but the particles"
+                << " get the weight of the fluid that they displace from constant/g: gravity would"
+                << " act twice; take it out" << exit(FatalError);
+        }
+        if (source.type() == "tabulatedAccelerationSource")
+        {
+            FatalErrorInFunction
+                << "fvOptions has " << source.name() << " of type tabulatedAccelerationSource, an"
+                << " acceleration that the particles would not feel: move the mesh instead"
+                << " (constant/dynamicMeshDict)" << exit(FatalError);
+        }
+    }
 }
 
 

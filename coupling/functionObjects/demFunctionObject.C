@@ -7,6 +7,7 @@
 #include "demFunctionObject.H"
 #include "demEnergySource.H"
 #include "demFiles.H"
+#include "demFluid.H"
 #include "demMeshCheck.H"
 #include "demMomentumSource.H"
 #include "fvOptions.H"
@@ -67,13 +68,25 @@ template<class Source>
 void Foam::functionObjects::demFunctionObject::addSource(const word& name)
 {
     fv::optionList& sources = fv::options::New(mesh_);
+    DynamicList<word> given;
 
-    forAll(sources, i)
+    for (const fv::option& source : sources)
     {
-        if (isA<Source>(sources[i]))
+        if (isA<Source>(source))
         {
-            return;
+            given.append(source.name());
         }
+    }
+    if (given.size() > 1)
+    {
+        FatalErrorInFunction
+            << "fvOptions has " << given.size() << " sources of type " << Source::typeName << ' '
+            << flatOutput(given) << ": the fluid would get the particles' reaction as many times;"
+            << " keep one" << exit(FatalError);
+    }
+    if (given.size())
+    {
+        return;
     }
 
     if (hasFile(mesh_))
@@ -181,6 +194,7 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
         stop_.reset(new demStop(time_));
     }
 
+    demFluid::checkSources(fv::options::New(mesh_));
     if (driver_().cloud().particles().twoWay())
     {
         addSource<fv::demMomentumSource>(name);

@@ -38,6 +38,12 @@ bool Foam::fv::demMomentumSource::read(const dictionary& dict)
     {
         return false;
     }
+    if (dict.getOrDefault<word>("selectionMode", "all") != "all")
+    {
+        FatalIOErrorInFunction(dict)
+            << "fvOptions/" << name_ << " has a selectionMode, but the fluid gets the particles' reaction"
+            << " wherever particles are; take it out" << exit(FatalIOError);
+    }
 
     fieldNames_ = wordList(1, "U");
     applied_.setSize(1, false);

@@ -270,6 +270,10 @@ Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
     coupling_.readIfPresent("walls", extraWalls_);
     checkPatchNames();
     separatePatchWalls();
+    if (settle)
+    {
+        closePatches();
+    }
     addMirrors();
     addFrameMotion();
     demDomain(mesh_).complete(dict_, emptyWalls());

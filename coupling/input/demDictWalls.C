@@ -245,6 +245,28 @@ void Foam::demDict::separatePatchWalls()
 }
 
 
+// Without the fluid particles fall out of open patches, which are walls while they settle
+void Foam::demDict::closePatches()
+{
+    DynamicList<word> closed;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (patch.type() == polyPatch::typeName && !isWall(patch))
+        {
+            dictionary wall;
+            wall.add("material", materials(dict_)[0]);
+            patches_.add(patch.name(), wall);
+            closed.append(patch.name());
+        }
+    }
+    if (closed.size())
+    {
+        Info<< "Suna: while particles settle, open patches are walls: " << flatOutput(closed) << endl;
+    }
+}
+
+
 bool Foam::demDict::isWall(const polyPatch& patch) const
 {
     return

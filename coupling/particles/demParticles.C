@@ -61,7 +61,11 @@ void Foam::demParticles::load()
     demRegions(mesh_, dict_).add(case_);
 
     const fileName start(demSnapshot::start(mesh_, dict_));
-    if (!start.empty())
+    if (start.empty())
+    {
+        dem_case_start_time(case_, interval_ > 0 ? 0 : mesh_.time().value());
+    }
+    else
     {
         demCheck
         (
@@ -203,7 +207,15 @@ void Foam::demParticles::beginStep()
             << exit(FatalError);
     }
     window_ = steady ? interval_ : time.deltaTValue();
-    offset_ = steady ? 0 : time.value() - time.deltaTValue() - totals_.time;
+
+    const scalar offset = steady ? 0 : time.value() - time.deltaTValue() - totals_.time;
+
+    if (mag(offset - offset_) > 1e-6*window_)
+    {
+        Info<< "Suna: at time " << time.value() - time.deltaTValue() << " s the particles' clock, to which"
+            << " times in constant/" << demDict::name() << " refer, is at " << totals_.time << " s" << endl;
+    }
+    offset_ = offset;
 }
 
 

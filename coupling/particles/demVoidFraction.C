@@ -8,6 +8,41 @@
 #include "demSelfCheck.H"
 #include "demSnapshot.H"
 
+namespace Foam
+{
+
+// Void fractions that the user gives at patches
+static void checkPatches(const volScalarField& voidFraction)
+{
+    if (voidFraction.dimensions() != dimless)
+    {
+        FatalErrorInFunction
+            << voidFraction.objectPath() << " has dimensions " << voidFraction.dimensions()
+            << "; give [0 0 0 0 0 0 0]" << exit(FatalError);
+    }
+    forAll(voidFraction.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& patch = voidFraction.boundaryField()[patchi];
+        const scalarMinMax found
+        (
+            patch.type() == "fixedValue" ? gMinMax(patch) : scalarMinMax(1, 1)
+        );
+
+        if (!(found.min() > 0 && found.max() <= 1))
+        {
+            FatalErrorInFunction
+                << "voidFraction of patch " << patch.patch().name() << " in "
+                << voidFraction.objectPath() << " is "
+                << (found.min() > 0 ? found.max() : found.min())
+                << "; give the volume of the fluid over the whole, above 0 and at most 1"
+                << exit(FatalError);
+        }
+    }
+}
+
+} // End namespace Foam
+
+
 Foam::demVoidFraction::demVoidFraction(demParticles& particles)
 :
     mesh_(particles.mesh()),
@@ -46,6 +81,7 @@ Foam::demVoidFraction::demVoidFraction(demParticles& particles)
     volumeError_(0),
     changeRate_(demSnapshot::readNumber(mesh_.time(), "changeRate"))
 {
+    checkPatches(voidFraction_);
     if (particles_.displaceFluid())
     {
         passedWalls_.reset(new demPassedWalls(voidFraction_));

@@ -84,6 +84,7 @@ void Foam::demPlan::inletWarnings
         (
             Up.type() == "zeroGradient"
          && !isA<wallFvPatch>(Up.patch())
+         && returnReduce(Up.size(), sumOp<label>()) > 0
          && (isCalledInlet(name) || (p && p->boundaryField()[patchi].type() == "zeroGradient"))
         )
         {
@@ -131,6 +132,7 @@ void Foam::demPlan::openPatchWarning(DynamicList<string>& warnings) const
             patch.type() == polyPatch::typeName
          && !particles_.dict().isWall(patch)
          && !particles_.inletsOutlets().passages().found(patch.index())
+         && returnReduce(patch.size(), sumOp<label>()) > 0
         )
         {
             first = open.empty() ? patch.name() : first;

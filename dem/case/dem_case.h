@@ -32,6 +32,8 @@ struct dem_case
     } *allowed;
     size_t alloweds, allowed_capacity;
 
+    double start_time;                          /* s  dem_case_start_time */
+
     /* a snapshot */
     char load_path[1024];                       /* "": none */
     int new_run;                                /* 1: its particles are for another run */

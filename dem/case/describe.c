@@ -289,6 +289,11 @@ void dem_case_fluid_own_wake(struct dem_case *c)
     c->own_wake = 1;
 }
 
+void dem_case_start_time(struct dem_case *c, double time)
+{
+    c->start_time = time;
+}
+
 void dem_case_fluid_density(struct dem_case *c, double density)
 {
     c->fluid_density = density;

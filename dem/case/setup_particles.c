@@ -321,6 +321,8 @@ int dem_sim_create_particles(struct dem_case *c)
         DEM_TRY(dem_sim_agree(d, complete_scalars(c)));
         return dem_sim_compare_scene(c);
     }
+    state->time = c->start_time;
+    dem_walls_move(&state->walls, state->time, 0.0);
     DEM_TRY(dem_stages_start(d, 0));
     DEM_TRY(dem_insert_place(&d->scene.initial, &d->scene.insertion, &state->interaction_table,
                              &state->walls, &state->decomposition));

@@ -28,6 +28,9 @@ extern "C" {
    dense suspensions of light particles oscillate from step to step. */
 void dem_case_fluid_displaced(struct dem_case *, double density);
 
+/* Without a snapshot the run begins at this time [s] of the fluid solver, not at 0. Before dem_start. */
+void dem_case_start_time(struct dem_case *, double time);
+
 /* The coupled fluid has this density [kg/m3] everywhere. The effect stokesDamping then counts added mass
    in its Stokes number. */
 void dem_case_fluid_density(struct dem_case *, double density);

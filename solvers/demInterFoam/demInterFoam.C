@@ -49,9 +49,7 @@ Description
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
-#include "buoyancyForce.H"
 #include "meanVelocityForce.H"
-#include "tabulatedAccelerationSource.H"
 #include "demDrivingForce.H"
 #include "demFiles.H"
 #include "demFluid.H"
@@ -113,20 +111,6 @@ static void checkFluid(const fv::optionList& options, const bool newtonian, cons
                 << "fvOptions has " << option.name() << " of type " << option.type()
                 << ", one force for both fluids, which drives the light one away: use"
                 << " demPimpleFoam for one fluid, or tilt constant/g" << exit(FatalError);
-        }
-        if (isA<fv::tabulatedAccelerationSource>(option))
-        {
-            FatalErrorInFunction
-                << "fvOptions has " << option.name() << " of type " << option.type()
-                << ", an acceleration that the particles would not feel: move the mesh instead"
-                << " (constant/dynamicMeshDict)" << exit(FatalError);
-        }
-        if (isA<fv::buoyancyForce>(option))
-        {
-            FatalErrorInFunction
-                << "fvOptions has " << option.name() << " of type " << option.type()
-                << ", but demInterFoam has constant/g in its equations: gravity would act twice;"
-                << " take it out" << exit(FatalError);
         }
     }
     if (!newtonian)

@@ -250,12 +250,21 @@ Foam::scalar Foam::twoFluids::capillaryStep() const
 {
     const fvMesh& mesh = rho_.mesh();
     const scalar sigma = gMax(sigmaOf(mesh)().primitiveField());
+    const surfaceScalarField& inverse = mesh.nonOrthDeltaCoeffs();
+    scalar most = max(scalar(0), max(inverse.primitiveField()));
 
-    if (!(sigma > 0))
+    // of all faces between two cells, on any number of ranks
+    for (const fvsPatchScalarField& patch : inverse.boundaryField())
+    {
+        most = patch.coupled() ? max(most, max(patch)) : most;
+    }
+    reduce(most, maxOp<scalar>());
+    if (!(sigma > 0 && most > 0))
     {
         return GREAT;
     }
-    const scalar h = 1/gMax(mesh.nonOrthDeltaCoeffs().primitiveField());
+    const scalar h = 1/most;
+
     return sqrt
     (
         (mixture_.rho1().value() + mixture_.rho2().value())*pow3(h)

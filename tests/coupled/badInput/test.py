@@ -206,6 +206,19 @@ for scheme in ("backward", "CrankNicolson 0.9"):
     refused(f"ddtSchemes {scheme}", case,
             f"ddtSchemes of system/fvSchemes is {scheme.split()[0]}; .* needs Euler")
     case.sub("system/fvSchemes", rf"\b{scheme};", "Euler;")
+for kind, sentence, entries in (
+        ("buoyancyForce", "gravity would act twice", "fields (U);"),
+        ("tabulatedAccelerationSource", "an acceleration that the particles would not feel",
+         'timeDataFileName "constant/frame"; fields (U);')):
+    case.write("constant/frame", "(" + "".join(f"({t} ((5 0 0) (0 0 0) (0 0 0)))" for t in (0, 1)) + ")")
+    case.dictionary("constant/fvOptions", f"s {{ type {kind}; selectionMode all; {entries} }}")
+    refused(f"fvOptions with {kind}", case, sentence)
+case.remove("constant/fvOptions")
+for value, shown in ((40, "is 40"), (0, "is 0"), (-1, "is -1")):
+    case.dictionary("0/voidFraction", f"dimensions [0 0 0 0 0 0 0]; internalField uniform 1; boundaryField {{ "
+                    f"walls {{ type zeroGradient; }} top {{ type fixedValue; value uniform {value}; }} }}", "volScalarField")
+    refused(f"a void fraction of {value} at a patch", case, f"voidFraction of patch top in .*/0/voidFraction. {shown}; give")
+case.remove("0/voidFraction")
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
 refused("the solver's particles and a function object's", case, "has particles already")
 

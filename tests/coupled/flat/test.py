@@ -116,6 +116,8 @@ refused("a period of another length", "^materials", "domain { x (0 0.011); } mat
         "domain ends at 0 and 0.011 m along x, but the mesh, between its cyclic patches (left), at 0 and 0.012 m")
 refused("a velocity across the plane", r"velocity \(0 0 -0.1\)", "velocity (0 0.1 0)",
         "moves by 0.1 m/s along y, where the domain is flat")
+refused("a stream through the slab", "^insert {", "insert { feed { type stream; rate 1; diameter 2e-4; patch slab; }",
+        "insert/feed: patch slab is of type empty, so particles cannot pass it")
 case.slab((0.012, 0.012), (6, 6), ROUND, lean=0.002)
 refused("a period at a slant", "^materials", "materials",
         "which is not x, y or z, but the particles' domain can only be periodic along these")

@@ -87,6 +87,18 @@ claim("residence.csv, too", list(case.table("postProcessing/dem/0.1/residence.cs
 case.sub("constant/demProperties", "record .*", "")
 case.edit("system/controlDict", endTime=0.2)
 
+# ---- a run that begins later -----------------------------------------------------------------------
+
+late = Case("late")
+(late/"0").rename(late/"5")
+late.sub("constant/demProperties", "rate 1500;", "rate 1500; start 5.01; end 5.03;")
+late.edit("system/controlDict", startTime=5, endTime=5.04, writeInterval=0.02)
+late.run("blockMesh")
+claim_runs("late: a run that begins at 5 s", late)
+times = late.table("postProcessing/dem/5/flows.csv")
+feed = [int(n) for n, name in zip(times["particles"], times["name"]) if name == "feed"]
+claim("late: the stream of 5.01 to 5.03 s enters then", feed[-1] == 30 and 0 < feed[0] < 20, feed)
+
 # ---- two ranks -------------------------------------------------------------------------------------
 
 case.remove("0.[12]")

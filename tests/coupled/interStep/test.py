@@ -35,6 +35,15 @@ claim(f"tension: the step is {theory*1e3:.4f} ms (the last one ends at the end t
       close(step, theory, 0.06) and step <= theory*(1 + 1e-9), step, theory)
 claim("tension: the log names maxCapillaryCo", limit.startswith("maxCapillaryCo"), limit)
 
+# Two ranks have every other cell, so none has two neighbors
+case.dictionary("constant/cellRanks", "128 (" + " ".join(
+    str((i + j + k) % 2) for k in range(8) for j in range(4) for i in range(4)) + ")", "labelList")
+case.dictionary("system/decomposeParDict", 'numberOfSubdomains 2; method manual; coeffs { dataFile "cellRanks"; }')
+case.run("decomposePar")
+claim_runs("tension, two ranks without faces inside: runs", case, "demInterFoam", ranks=2)
+claim("tension, two ranks: the same steps",
+      lambda: close(case.numbers("^deltaT = (.*)$", "demInterFoam")[-1, 0], step, 1e-9))
+
 sides = {"left": ("cyclic; neighbourPatch right", "x-"), "right": ("cyclic; neighbourPatch left", "x+"),
          "walls": ("wall", "y- y+ z- z+")}
 case = TwoFluids("flow")

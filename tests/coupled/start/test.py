@@ -188,6 +188,17 @@ flags, velocities = (case.particles("0.002", name)[:, 1:] for name in ("flags", 
 claim("all particles are frozen", len(flags) > 0 and np.all(flags == 1) and largest(velocities) == 0)
 started('start { snapshot "bed/rest.dem"; temperatur 300; }')
 refuses("a misspelt entry beside the snapshot is refused", "temperatur")
+
+# ---- an open patch below the bed --------------------------------------------------------------------
+
+opened = Case("opened", "hydrostatic")
+opened.run("blockMesh")
+opened.sub("constant/polyMesh/boundary", "(walls\\s*{\\s*type\\s*)wall;", r"\1patch;")
+claim_runs("-settle in open patches", opened, "demPimpleFoam", "-settle")
+claim("-settle in open patches: they are walls, says the log",
+      opened.found("while particles settle, open patches are walls: .*walls"))
+claim("-settle in open patches: all particles rest in the mesh", opened.found("at rest at t .*settled.dem"))
+
 case.write(scene, settle)
 case.sub(scene, "^insert.*", "insert { feed { type stream; rate 1; diameter 1e-3; patch top; } }")
 refuses("nothing to settle: fails with a sentence", "no particles to settle", "-settle")
