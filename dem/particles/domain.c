@@ -139,8 +139,8 @@ int dem_domain_project_all(const struct dem_domain *d, struct dem_particles *p)
             DEM_REQUIRE(
                 !d->flat[k] || fabs(q->x[k] - d->plane[k]) <= q->radius, DEM_ERROR_INPUT,
                 "particle %lld is at %c = %g m, but the domain is flat there and holds all centres at %g m; start it "
-                "within one radius of that plane, for example in a region one diameter (%g m) thick around it",
-                (long long)q->id, "xyz"[k], q->x[k], d->plane[k], 2.0*q->radius);
+                "within one radius (%g m) of that plane",
+                (long long)q->id, "xyz"[k], q->x[k], d->plane[k], q->radius);
             DEM_REQUIRE(
                 !d->flat[k] || q->v[k] == 0.0, DEM_ERROR_INPUT,
                 "particle %lld moves by %g m/s along %c, where the domain is flat; set this component of its "

@@ -19,6 +19,27 @@ static const double
 
 /* ---- region ---------------------------------------------------------------------------------- */
 
+/* Random centres lie in the plane of a flat domain, whatever their diameters; the volume of the box stays. */
+static int flatten(struct dem_insert_group *b, const struct dem_domain *d)
+{
+    struct dem_insertion_shape *const v = &b->shape;
+
+    v->region = dem_insertion_shape_volume(v);
+    for (int k = 0; k < 3; k++)
+    {
+        if (d->flat[k])
+        {
+            DEM_REQUIRE(v->min[k] <= d->plane[k] && v->max[k] >= d->plane[k], DEM_ERROR_INPUT,
+                        "%s: the box is from %g to %g m along %c, but the domain is flat there and holds all "
+                        "centres at %g m; make the box hold this plane",
+                        b->where, v->min[k], v->max[k], "xyz"[k], d->plane[k]);
+            v->min[k] = v->max[k] = d->plane[k];
+            v->open[k][0] = v->open[k][1] = 1;
+        }
+    }
+    return DEM_OK;
+}
+
 /* A mesh or zone is its own region, unless a shape is given within it. */
 static int read_shape(struct dem_insert_group *b, const struct dem_domain *d)
 {
@@ -39,6 +60,10 @@ static int read_shape(struct dem_insert_group *b, const struct dem_domain *d)
     }
     b->shape.limits = b->limits;
     DEM_TRY(dem_insertion_shape_open(&b->shape, d, b->where));
+    if (b->type == DEM_INSERT_RANDOM && b->shape.kind == DEM_INSERTION_SHAPE_BOX)
+    {
+        DEM_TRY(flatten(b, d));
+    }
     if (b->type == DEM_INSERT_LATTICE)
     {
         memset(b->shape.open, 0, sizeof b->shape.open);    /* its sites are half a pitch inside */

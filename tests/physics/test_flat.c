@@ -153,5 +153,18 @@ int main(void)
 
     world_run(stream, 0.1);
     TAP_OK(off_plane(stream, 0.5*(-9e-4 + 1.5e-3)) == 0.0, "a stream inserts onto the plane");
+
+    /* the thinnest box that holds the smallest of them */
+    struct dem *const mixed = world(
+        world_text(
+            "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { mixed { type random; count 60; "
+            "sizes { type uniform; min 5e-4; max 2e-3; } min (0 0 5e-5); max (0.02 0.02 5.5e-4); } }",
+            world_text(physics, 0.0)),
+        0, NULL);
+
+    TAP_OK(off_plane(mixed, 0.5*(-9e-4 + 1.5e-3)) == 0.0 && world_tally(mixed).largest_overlap == 0.0,
+           "random centres lie in the plane, off by %g m, overlap %g of a diameter", off_plane(mixed, 3e-4),
+           world_tally(mixed).largest_overlap);
+    dem_free(mixed);
     TAP_DONE;
 }
