@@ -21,6 +21,7 @@ from typing import Any, Callable, Iterator, TypeVar
 import numpy
 
 from ._arguments import File
+from ._core import check, ffi, lib
 
 Read = TypeVar("Read", bound=Callable[..., Any])
 
@@ -124,14 +125,16 @@ RECORD = numpy.dtype([("position", "f8", 3), ("radius", "f8"), ("velocity", "f8"
                       ("inverse_mass", "f8"), ("spin", "f8", 3), ("inverse_inertia", "f8"),
                       ("mass", "f8"), ("id", "i8"), ("material", "u2"), ("flags", "u2"),
                       ("image", "u4"), ("body", "i8")])
+CONTACT = numpy.dtype([("low", "i8"), ("high", "i8"), ("image", "u4"), ("counted", "u4")])
 VERSION = 8    # DEM_SNAPSHOT_VERSION
 
 
 @reader
 def read_snapshot(path: File) -> dict[str, Any]:
     """The state in a snapshot: `time`, `steps`, `materials` (names), `particles` (a structured array
-    with a field for each column of the core, too), `contacts` (keys and their history, as numbers)
-    and `history` (its names)."""
+    with a field for each column of the core, too), `contacts` (a structured array of the ids `low` and `high`,
+    -1 less the number of a facet at a wall, the periodic `image`, and a field for each memory) and `history`
+    (the names of these)."""
     raw = Path(path).read_bytes()
     if len(raw) < HEADER.itemsize or raw[:4] == b"Foam":
         raise FileError(f"{path}: {len(raw)} bytes, too few for a snapshot")
@@ -143,15 +146,20 @@ def read_snapshot(path: File) -> dict[str, Any]:
         raise FileError(f"{path}: a number below 0 in its head; damaged")
     names = [name.decode() for name in head["list"]["name"]]
     materials, columns = int(head["materials"]), int(head["columns"])
-    fields = [(names[k], "f8", int(head["list"]["width"][k])) if head["list"]["width"][k] > 1
-              else (names[k], "f8") for k in range(materials, materials + columns)]
-    kind = numpy.dtype(RECORD.descr + fields)
-    n, at = int(head["particles"]), HEADER.itemsize
-    particles = numpy.frombuffer(raw, kind, n, at)
-    at += n*kind.itemsize
+
+    def fields(first, last):
+        return [(names[k], "f8", int(head["list"]["width"][k])) if head["list"]["width"][k] > 1
+                else (names[k], "f8") for k in range(first, last)]
+    kind = numpy.dtype(RECORD.descr + fields(materials, materials + columns))
+    contact = numpy.dtype(CONTACT.descr + fields(materials + columns, materials + columns + int(head["memories"])))
+    n, rows, at = int(head["particles"]), int(head["rows"]), HEADER.itemsize
+    size = at + n*kind.itemsize + rows*contact.itemsize + int(head["caller"])
+    if len(raw) != size:
+        raise FileError(f"{path}: {len(raw)} bytes, and its head tells of {size}; damaged")
+    check(lib.dem_snapshot_hash(os.fsencode(path), ffi.new("uint64_t *")))
     history = names[materials + columns:materials + columns + int(head["memories"])]
-    width = (int(len(raw) - head["caller"]) - at)//max(8*int(head["rows"]), 1)
-    contacts = numpy.frombuffer(raw, "f8", int(head["rows"])*width, at).reshape(-1, max(width, 1))
+    particles = numpy.frombuffer(raw, kind, n, at)
+    contacts = numpy.frombuffer(raw, contact, rows, at + n*kind.itemsize)
     return {"time": float(head["time"]), "steps": int(head["steps"]),
             "materials": names[:materials], "particles": particles, "contacts": contacts,
             "history": history}

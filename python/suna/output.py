@@ -63,7 +63,7 @@ class Output(Arrays):
     def plot(self, axes: Any = None, colour: ArrayLike | None = None, plane: str = "xz") -> Any:
         """Draw the particles as circles with matplotlib; `colour`: a number for each, else the
         speed. Returns the axes."""
-        if not isinstance(plane, str) or len(plane) != 2 or not set(plane) < set("xyz"):
+        if not isinstance(plane, str) or len(plane) != 2 or len(set(plane)) != 2 or not set(plane) < set("xyz"):
             raise SunaError(f"plane is {plane!r}; give two of the letters x, y, z, as in \"xz\"")
         import matplotlib.pyplot as plt
         from matplotlib.collections import EllipseCollection

@@ -84,7 +84,7 @@ class View:
         pointer, n, width = getattr(view, name), view.n, WIDTH[name]
         shape = (n, width) if width > 1 else (n,)
         if n == 0:
-            return numpy.empty(shape)
+            return numpy.empty(shape, _kind(pointer))
         if pointer == ffi.NULL:
             raise SunaError(f"{name} is not kept; create Simulation(..., {name}=True)")
         kind = _kind(pointer)

@@ -388,7 +388,12 @@ def _fields(struct):
 def _arrays(records, n, names):
     """Members of an array of structs, each as an array."""
     found = {}
-    for name in names:
-        values = [getattr(records[k], name) for k in range(n)]
-        found[name] = numpy.array([list(v) if isinstance(v, ffi.CData) else v for v in values])
-    return found
+    for name, field in ffi.typeof(records).item.fields:
+        if name in names:
+            several = field.type.kind == "array" and field.type.item.kind == "primitive"
+            number = field.type.item if several else field.type
+            kind = float if number.cname == "double" else numpy.int64 if number.kind in ("primitive", "enum") else None
+            values = [getattr(records[k], name) for k in range(n)]
+            found[name] = numpy.array([list(v) if isinstance(v, ffi.CData) else v for v in values], kind).reshape(
+                (n, field.type.length) if several else (n,))
+    return {name: found[name] for name in names}

@@ -32,6 +32,8 @@ class Atoms:
 
     def do_create_atoms(self, words):
         kind = self.atom_type(words[0])
+        if self.time > 0:
+            self.refuse("particles that come after a run: write a fix insert/pack, or give the scene a group with `at`")
         if words[1] == "single":
             x = numpy.array([self.numbers(words[2:5], "length")])
             if self.lattice and "box" not in words:
@@ -113,6 +115,8 @@ class Atoms:
         while rest:
             key = rest.pop(0)
             if key == "type":
+                if self.moved():
+                    self.refuse("the type of particles that a run has moved cannot be changed", "set type")
                 self.particles.type[chosen] = self.atom_type(rest.pop(0))
             elif key in SET:
                 self._set(chosen, key, self.number(rest.pop(0), SET[key]))
@@ -139,12 +143,19 @@ class Atoms:
         of = p.id if style == "atom" else p.type
         return (of >= low) & (of <= high)
 
+    def moved(self):
+        """Particles are there that a run has moved."""
+        return self.time > 0 and len(self.particles) > 0
+
     def inserted(self):
         """Particles of fix insert/... are there, which only a run knows."""
         return self.restarted is not None or any(i.start <= self.time for i in self.insertions)
 
     def _set(self, chosen, key, value):
         p = self.particles
+        if self.moved():
+            self.refuse(f"{key} of particles that a run has moved cannot be changed; begin another script with them",
+                        f"set {key}")
         if self.inserted() and not self._same(key, value):
             self.refuse(f"{key} of particles that fix insert/... has placed cannot be changed; "
                         "write it in their template", f"set {key}")
@@ -165,6 +176,8 @@ class Atoms:
     def do_velocity(self, words):
         chosen, p = self.chosen(words[0]), self.particles
         self.no_more(words[5:])
+        if self.moved():
+            self.refuse("velocities of particles that a run has moved cannot be set; begin another script with them")
         if words[1] == "set":
             for k, word in enumerate(words[2:5]):
                 if word != "NULL":

@@ -69,6 +69,12 @@ class Mesh:
         return x, moved
 
 
+def moved_groups(state):
+    """Groups that are frozen, integrated and driven."""
+    return ({group for _, group in state["frozen"]}, {group for _, group in state["integrated"]},
+            {(group, tuple(speed)) for group, speed in state["driven"].values()})
+
+
 def key(state):
     """What a scene cannot change while it runs."""
     gravity = None if state["gravity"] is None else tuple(state["gravity"][0])

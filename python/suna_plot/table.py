@@ -29,7 +29,7 @@ MOST = 12           # lines in a panel: more cannot be told apart
 def read(path):
     """Columns by name: lists of numbers, or of words."""
     try:
-        with open(path, newline="") as file:
+        with open(path, newline="", encoding="utf-8-sig") as file:
             rows = [row for row in csv.reader(line for line in file if not line.startswith("#")) if row]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise Refused(f"{path}: {getattr(error, 'strerror', None) or 'no table'}") from None

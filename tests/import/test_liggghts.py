@@ -817,6 +817,15 @@ fix move rest nve/sphere""")
             "known: diameter")
     refused(BASE.replace("run 1000", "run 10\nset group all diameter 2e-3\nrun 10"),
             "cannot be changed")
+    # what Suna gives to particles at their insertion only
+    for change, *words in (("fix stop all freeze", "run: since the last run fix freeze"),
+                           ("unfix move", "run: since the last run"),
+                           ("fix push all move linear 0 0 0.1", "run: since the last run"),
+                           ("velocity all set 0 0 1", "that a run has moved cannot be set"),
+                           ("set atom 1 vz 1", "set vz", "that a run has moved"),
+                           ("create_atoms 1 single 0 0 0.03 units box", "particles that come after a run")):
+        refused(ONE.replace("run 1000", f"run 500\n{change}\nrun 500"), *words)
+    refused(BASE.replace("run 1000", "run 500\nfix stop all freeze\nrun 500"), "run: since the last run fix freeze")
 
 
 def domain_and_output():

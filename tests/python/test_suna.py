@@ -127,6 +127,21 @@ def files():
     for name in ("position", "velocity", "radius", "mass", "spin"):
         assert (state["particles"][name][a] == getattr(sim, name)[b]).all(), name
     assert state["time"] == sim.time and state["materials"] == ["glass"]
+    sim.advance(0.12)
+    sim.save("state.dem")
+    keys = suna.read_snapshot("state.dem")["contacts"]
+    assert len(keys) > 0 and set(keys["low"]) <= set(sim.id) and all(h in sim.id or h < 0 for h in keys["high"])
+    whole = Path("state.dem").read_bytes()
+    flipped = bytearray(whole)
+    flipped[-9] ^= 1
+    for damaged, words in ((whole[:-8], "damaged"), (bytes(flipped), "damaged")):
+        Path("damaged.dem").write_bytes(damaged)
+        try:
+            suna.read_snapshot("damaged.dem")
+            raise AssertionError("a damaged file was read")
+        except suna.FileError as error:
+            assert words in str(error), error
+    assert sim.lost()["position"].shape == (0, 3) and sim.lost()["id"].dtype == numpy.int64
     Path("short.dem").write_bytes(Path("state.dem").read_bytes()[:100])
     try:
         suna.read_snapshot("short.dem")
