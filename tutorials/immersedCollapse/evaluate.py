@@ -11,8 +11,8 @@ Bounds:
   sign          of the pore pressure at all times: loose grains, which compact, press the liquid out (+), dense ones,
                 which dilate, suck it in (-)
   exchange      1e-12, an identity
-Fronts and sizes of pressures are only reported: a parcel stands for 512 beads, so a sheared layer, some ten diameters
-thick, is eight times as thick as in the experiment.
+Fronts and sizes of pressures are only reported: a parcel stands for 64 beads, so a sheared layer, some ten diameters
+thick, is four times as thick as in the experiment.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -27,7 +27,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent/"shared"))
 import results                      # noqa: E402
 
-RHO, DEPTH = 1010, 0.009            # kg/m3, m
+RHO, DEPTH = 1010, 0.0045           # kg/m3, m
 LENGTH, MIDDLE = 0.28, (0.008, 0.045)      # m, of the tank; the part of the column away from wall and gate
 FRONTS = {"loose": [(0.085, 0.0692), (0.64, 0.1627), (1.31, 0.1972)], "dense": []}     # s, m
 PRESSURES = {"loose": [(2, 144)], "dense": [(1.1, -126)]}  # s, Pa; the loose run ends before, only the sign counts
