@@ -28,7 +28,8 @@ import results                      # noqa: E402
 import side                         # noqa: E402
 
 TANK, TOP, BLOCK = 0.89, 0.4375, (0.30, 0.59)   # m, length and height of the tank; the block along x
-NAMES = {"block": "block", "cells": "cells twice as large", "kernel": "kernel of 3 diameters"}   # runs
+NAMES = {"block": "block", "cells": "cells twice as large", "kernel": "kernel of 3 diameters",
+         "angular": "spheres of 12 mm"}     # runs
 PLACES = [0.0, 0.45, 0.89]                      # m, where levels are compared one by one
 
 
@@ -58,7 +59,7 @@ def draw(runs):
     for axis, time in zip(axes, times):
         axis.axvspan(*(1e3*x for x in BLOCK), color=GREY, alpha=0.15, lw=0, label="block of rock")
         axis.plot(*(1e3*measured()[time]).T, label="measured, Lin 1998", **MEASURED)
-        for (name, run), colour, style in zip(runs.items(), (OURS, OTHER, GREY), ("-", "--", "-.")):
+        for (name, run), colour, style in zip(runs.items(), (OURS, OTHER, GREY, OURS), ("-", "--", "-.", ":")):
             line = levels(run, time)
             if line:
                 axis.plot(*(1e3*values for values in line), style, color=colour,
