@@ -270,12 +270,12 @@ Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
     coupling_.readIfPresent("walls", extraWalls_);
     checkPatchNames();
     separatePatchWalls();
+    addMirrors();
+    addFrameMotion();
     if (settle)
     {
         closePatches();
     }
-    addMirrors();
-    addFrameMotion();
     demDomain(mesh_).complete(dict_, emptyWalls());
     resolveGravity();
 }

@@ -252,7 +252,11 @@ void Foam::demDict::closePatches()
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        if (patch.type() == polyPatch::typeName && !isWall(patch))
+        if
+        (
+            patch.type() == polyPatch::typeName && !isWall(patch)
+         && returnReduce(patch.size(), sumOp<label>()) > 0
+        )
         {
             dictionary wall;
             wall.add("material", materials(dict_)[0]);
@@ -262,7 +266,8 @@ void Foam::demDict::closePatches()
     }
     if (closed.size())
     {
-        Info<< "Suna: while particles settle, open patches are walls: " << flatOutput(closed) << endl;
+        Info<< "Suna: while particles settle, open patches are walls of " << materials(dict_)[0] << ": "
+            << flatOutput(closed) << endl;
     }
 }
 

@@ -203,9 +203,10 @@ static void refuseMissing(const Time& time, const word& latest)
             << time.timeName()/snapshotFile << "), but time " << latest << " has. If the run was"
             << " killed or the disk was full while it wrote time " << time.timeName()
             << ", remove this time's folder" << (Pstream::parRun() ? "s processor*/" : " ")
-            << time.timeName() << " and start again from " << latest << "; if the function object of"
-            << " the particles had ended (timeEnd), start from " << latest << " too, or take it out of"
-            << " system/controlDict to go on without particles; to begin with new particles, remove the snapshots uniform/dem.snapshot of earlier times"
+            << time.timeName() << " and start again from " << latest << "; if the particles had ended"
+            << " before (timeEnd), take their function object out of system/controlDict to go on"
+            << " without them; to begin with new particles, remove the snapshots"
+            << " uniform/dem.snapshot of earlier times"
             << exit(FatalError);
     }
 }

@@ -210,7 +210,7 @@ void Foam::demParticles::beginStep()
 
     const scalar offset = steady ? 0 : time.value() - time.deltaTValue() - totals_.time;
 
-    if (mag(offset - offset_) > 1e-6*window_)
+    if (mag(offset - offset_) > window_)
     {
         Info<< "Suna: at time " << time.value() - time.deltaTValue() << " s the particles' clock, to which"
             << " times in constant/" << demDict::name() << " refer, is at " << totals_.time << " s" << endl;

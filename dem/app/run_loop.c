@@ -99,7 +99,8 @@ static int tell_stages_left(const struct run_state *c)
 /* 1: a signal or the file stop ends the run here, before its end. */
 static int stops(const struct run_state *c)
 {
-    return dem_stopped(c->d) || (dem_stop_requested(c->d) && c->t.time < c->s->end*(1.0 - 1e-12));
+    return dem_stopped(c->d) || (dem_stop_requested(c->d) && c->t.time < c->s->end*(1.0 - 1e-12) &&
+                                 !c->quiet.reached && !dem_stages_over(c->d));
 }
 
 static int advance(struct run_state *c, double duration)

@@ -205,8 +205,8 @@ int dem_advance(struct dem *, double duration);
 void dem_set_stop_flag(struct dem *, const volatile sig_atomic_t *asked);
 int dem_stopped(const struct dem *);
 
-/* The largest *asked of all ranks after the last step of the last dem_advance, whether it ended there or not: for a
-   program whose advances may be of one step. */
+/* The largest *asked of all ranks after the last step of the last dem_advance, whether it ended there or not: for
+   programs that advance one step at a time. */
 int dem_stop_requested(const struct dem *);
 
 /* From now on dem_advance calls `report` on this rank, at most once in `seconds` of the clock, with

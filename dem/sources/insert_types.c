@@ -19,7 +19,8 @@ static const double
 
 /* ---- region ---------------------------------------------------------------------------------- */
 
-/* Random centres lie in the plane of a flat domain, whatever their diameters; the volume of the box stays. */
+/* Random centres in a box, or in a cylinder along the flat axis, lie in the plane of a flat domain, whatever their
+   diameters; the volume stays. */
 static int flatten(struct dem_insert_group *b, const struct dem_domain *d)
 {
     struct dem_insertion_shape *const v = &b->shape;
@@ -27,14 +28,20 @@ static int flatten(struct dem_insert_group *b, const struct dem_domain *d)
     v->region = dem_insertion_shape_volume(v);
     for (int k = 0; k < 3; k++)
     {
-        if (d->flat[k])
+        const int cylinder = v->kind == DEM_INSERTION_SHAPE_CYLINDER && fabs(v->axis[k]) > 1.0 - 1e-12;
+
+        if (d->flat[k] && (cylinder || v->kind == DEM_INSERTION_SHAPE_BOX))
         {
             DEM_REQUIRE(v->min[k] <= d->plane[k] && v->max[k] >= d->plane[k], DEM_ERROR_INPUT,
-                        "%s: the box is from %g to %g m along %c, but the domain is flat there and holds all "
-                        "centres at %g m; make the box hold this plane",
-                        b->where, v->min[k], v->max[k], "xyz"[k], d->plane[k]);
+                        "%s: the %s is from %g to %g m along %c, but the domain is flat there and holds all "
+                        "centres at %g m; make it hold this plane",
+                        b->where, dem_insertion_shape_name(v), v->min[k], v->max[k], "xyz"[k], d->plane[k]);
             v->min[k] = v->max[k] = d->plane[k];
-            v->open[k][0] = v->open[k][1] = 1;
+            v->open[k][0] = v->open[k][1] = !cylinder;
+            v->from[k] = cylinder ? d->plane[k] : v->from[k];
+            v->length = cylinder ? 0.0 : v->length;
+            v->open_end[0] |= cylinder;
+            v->open_end[1] |= cylinder;
         }
     }
     return DEM_OK;
@@ -60,7 +67,7 @@ static int read_shape(struct dem_insert_group *b, const struct dem_domain *d)
     }
     b->shape.limits = b->limits;
     DEM_TRY(dem_insertion_shape_open(&b->shape, d, b->where));
-    if (b->type == DEM_INSERT_RANDOM && b->shape.kind == DEM_INSERTION_SHAPE_BOX)
+    if (b->type == DEM_INSERT_RANDOM)
     {
         DEM_TRY(flatten(b, d));
     }

@@ -315,7 +315,7 @@ static void confine_to_box(const struct dem_insertion_shape *v, double radius, d
 {
     for (int k = 0; k < 3; k++)
     {
-        if (!v->open[k][0] || !v->open[k][1])
+        if (!v->open[k][0] || !v->open[k][1] || v->min[k] >= v->max[k])
         {
             const double shift = image_shift(v, k, x[k]), there = x[k] + shift;
             const double low = v->min[k] + inset(v, k, 0, radius);
@@ -351,7 +351,7 @@ void dem_insertion_shape_confine(const struct dem_insertion_shape *v, double rad
     }
     const double size = dem_vec_norm(r), keep = size > free ? free/size : 1.0;
 
-    h = v->open_end[0] && v->open_end[1]
+    h = v->open_end[0] && v->open_end[1] && v->length > 0.0
           ? h
           : fmin(fmax(h, end_inset(v, 0, radius)), v->length - end_inset(v, 1, radius));
     for (int k = 0; k < 3; k++)

@@ -33,11 +33,11 @@ struct dem_insertion_shape
                                              sphere: centre */
     double length, radius;                /* m */
     double period[3];                     /* m  width of a periodic domain along an axis, else 0 */
-    int open[3][2], open_end[2];          /* 1: on a periodic face: sides of a box, ends of a
-                                             cylinder */
+    int open[3][2], open_end[2];          /* 1: on a periodic face or flat (min = max): sides of a
+                                             box, ends of a cylinder */
     struct dem_insertion_limits *limits;  /* further limits, which belong to the group, or NULL */
-    double region;                        /* m3  of the whole mesh or zone, when that is the shape;
-                                             0: the volume of the box, cylinder or sphere */
+    double region;                        /* m3  of the whole mesh or zone, when that is the shape, or
+                                             before it became flat; 0: of the box, cylinder or sphere */
 };
 
 /* Read the shape of a group. An error unless exactly one of the three is given. */

@@ -114,7 +114,7 @@ void dem_walls_swept_point(const struct dem_walls *w, int frame, const double x[
     }
     const struct dem_wall_body *const b = f && f->compound ? f->compound->body : NULL;
 
-    if (b && b->kind == DEM_WALL_BODY_HINGE)
+    if (b && b->kind == DEM_WALL_BODY_HINGE && f->compound->parts == 0)
     {
         add_turning(b->origin, b->axis[0], whole, at, axis, extent);
         return;

@@ -242,7 +242,7 @@ static size_t count_endless(const struct link *link, size_t triangles)
     return n;
 }
 
-/* As often as more axes are found along which facets are endless: those of one pass shorten the offsets of the next. */
+/* Repeated while a pass finds more axes along which facets are endless: they shorten the offsets of the next one. */
 static void join(struct dem_walls *w, const struct edge *edge, size_t edges, struct link *link,
                  double tolerance)
 {

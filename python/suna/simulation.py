@@ -392,7 +392,7 @@ def _arrays(records, n, names):
         if name in names:
             several = field.type.kind == "array" and field.type.item.kind == "primitive"
             number = field.type.item if several else field.type
-            kind = float if number.cname == "double" else numpy.int64 if number.kind in ("primitive", "enum") else None
+            kind = {"double": float, "int64_t": numpy.int64, "int": numpy.int64}.get(number.cname)
             values = [getattr(records[k], name) for k in range(n)]
             found[name] = numpy.array([list(v) if isinstance(v, ffi.CData) else v for v in values], kind).reshape(
                 (n, field.type.length) if several else (n,))

@@ -23,7 +23,7 @@ from .liggghts_head import Head
 from .liggghts_particles import Particles
 from .liggghts_restart import Restart
 from .liggghts_script import Script, is_file
-from .liggghts_state import Stage, key, moved_groups
+from .liggghts_state import Stage, key, motions
 from .liggghts_words import MOST, BadWords, as_number, as_whole
 from .report import CannotTranslate, Place, collected
 from .scene_text import Names
@@ -304,9 +304,11 @@ class Translation(Head, Atoms, Restart):
         end = self.time + steps*self.step
         last = self.stages[-1] if self.stages and not self.fresh else None
         before = last or (self.restarted and self.restarted.stages and self.restarted.stages[-1])
-        if before and (self.moved() or self.inserted()) and moved_groups(before.state) != moved_groups(state):
-            self.refuse("since the last run fix freeze, fix move or the fix that integrates a group has changed, but a"
-                        " group of Suna is frozen, driven or free from its insertion on; begin another script with it")
+        there = [i for i in self.insertions if i.start < self.time], self.particles
+        if before and motions(before.state, *there) != motions(state, *there):
+            self.refuse("since the last run fix freeze, fix move or the fix that integrates a group has changed, but"
+                        " particles of Suna are frozen, driven or free from their insertion on; begin another script"
+                        " with them, from a data file (read_data)")
         if last and last.place == self.command.place and last.step == self.step and \
                 key(last.state) == key(state):
             last.end, last.steps, last.state = end, last.steps + steps, state       # a loop

@@ -154,8 +154,8 @@ class Atoms:
     def _set(self, chosen, key, value):
         p = self.particles
         if self.moved():
-            self.refuse(f"{key} of particles that a run has moved cannot be changed; begin another script with them",
-                        f"set {key}")
+            self.refuse(f"{key} of particles that a run has moved cannot be changed; begin another script with them,"
+                        " from a data file (read_data)", f"set {key}")
         if self.inserted() and not self._same(key, value):
             self.refuse(f"{key} of particles that fix insert/... has placed cannot be changed; "
                         "write it in their template", f"set {key}")
@@ -177,7 +177,8 @@ class Atoms:
         chosen, p = self.chosen(words[0]), self.particles
         self.no_more(words[5:])
         if self.moved():
-            self.refuse("velocities of particles that a run has moved cannot be set; begin another script with them")
+            self.refuse("velocities of particles that a run has moved cannot be set; begin another script with them,"
+                        " from a data file (read_data)")
         if words[1] == "set":
             for k, word in enumerate(words[2:5]):
                 if word != "NULL":

@@ -69,10 +69,23 @@ class Mesh:
         return x, moved
 
 
-def moved_groups(state):
-    """Groups that are frozen, integrated and driven."""
-    return ({group for _, group in state["frozen"]}, {group for _, group in state["integrated"]},
-            {(group, tuple(speed)) for group, speed in state["driven"].values()})
+def motions(state, insertions, particles):
+    """Whether the particles of these insertions, and single ones, are integrated, frozen and driven."""
+    def of_group(group):
+        def named(fixes):
+            return [speed for g, speed in fixes if g in ("all", group)]
+        return (bool(named((g, 1) for _, g in state["integrated"])), bool(named((g, 1) for _, g in state["frozen"])),
+                [list(speed) for speed in named(state["driven"].values())])
+
+    def member(group):
+        return numpy.ones(len(particles), bool) if group == "all" else numpy.isin(
+            particles.id, state["groups"].get(group, ()))
+
+    def any_of(groups):
+        return numpy.any([numpy.zeros(len(particles), bool), *map(member, groups)], axis=0).tolist()
+    return ([of_group(i.group) for i in insertions], any_of(g for _, g in state["integrated"]),
+            any_of(g for _, g in state["frozen"]),
+            [(member(g).tolist(), list(speed)) for g, speed in state["driven"].values()])
 
 
 def key(state):

@@ -826,6 +826,8 @@ fix move rest nve/sphere""")
                            ("create_atoms 1 single 0 0 0.03 units box", "particles that come after a run")):
         refused(ONE.replace("run 1000", f"run 500\n{change}\nrun 500"), *words)
     refused(BASE.replace("run 1000", "run 500\nfix stop all freeze\nrun 500"), "run: since the last run fix freeze")
+    translate(ONE.replace("run 1000", "run 500\nunfix move\nfix again all nve/sphere\nrun 500"))
+    translate(ONE.replace("run 1000", "group none empty\nrun 500\nfix stop none freeze\nrun 500"))
 
 
 def domain_and_output():

@@ -166,5 +166,16 @@ int main(void)
            "random centres lie in the plane, off by %g m, overlap %g of a diameter", off_plane(mixed, 3e-4),
            world_tally(mixed).largest_overlap);
     dem_free(mixed);
+
+    struct dem *const disc = world(
+        world_text(
+            "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { disc { type random; count 60; "
+            "sizes { type uniform; min 5e-4; max 2e-3; } cylinder { from (0 0 -2e-4); to (0 0 8e-4); radius 0.012; } } }",
+            world_text(physics, 0.0)),
+        0, NULL);
+
+    TAP_OK(off_plane(disc, 0.5*(-9e-4 + 1.5e-3)) == 0.0 && world_tally(disc).largest_overlap == 0.0,
+           "random centres in a disc lie in the plane, without overlap");
+    dem_free(disc);
     TAP_DONE;
 }

@@ -412,7 +412,7 @@ static void test_settled(void)
 }
 
 /* A sphere lies on the floor, where it spins about this axis at 20 rad/s, 2000 times the energy at which it would move.
-   Returns 1 when it is at rest within half a second, the first test being one. */
+   Returns 1 when the tests of rest are passed within half a second. */
 static int rests(double wx, double wz)
 {
     struct dem_new_particle seed = {.diameter = 1e-3, .material = "glass", .position = {0.0, 0.0, 5e-4},

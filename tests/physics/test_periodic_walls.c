@@ -584,6 +584,9 @@ static void test_flap(void)
     WORLD_TRY(dem_case_add_particles(c, 1, &seed));
     TAP_OK(world_status(c) == DEM_OK, "a flap in the middle of the period may turn");
     refused(flat(0.2*L, 0.5*L, world_text(motion, 0.2*L)), "only a rotation about x is periodic");
+    refused(flat(0.5*L, 0.8*L, world_text("motion ( { type oscillation; amplitude (0.004 0 0); frequency 30; } { type "
+                                          "hinge; origin (0.008 0 0); axis (0 1 0); inertia 1e-7; } );")),
+            "only a rotation about x is periodic");
 }
 
 static void test_refusals(void)

@@ -371,4 +371,15 @@ refused("a time with particles on the last of four ranks only", case,
 case.remove("processor*/0.003/lagrangian")
 refused("a time of the fluid alone, after one with particles, four ranks", case,
         "Time 0.003 has no particles .*folders processor./0.003 and start again from 0.002", ranks=4)
+
+# ---- the particles' reaction twice, or in a zone ------------------------------------------------------
+
+case = Case("twice", "hydrostatic")
+case.run("blockMesh")
+case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
+source = 'type demMomentumSource; libs ("libdemCoupling.so");'
+case.dictionary("constant/fvOptions", f"a {{ {source} }} b {{ {source} }}")
+refused("two momentum sources", case, r"fvOptions has 2 sources of type demMomentumSource .*\(a b\)", "pimpleFoam")
+case.dictionary("constant/fvOptions", f"a {{ {source} selectionMode cellZone; cellZone all; }}")
+refused("a momentum source in a zone", case, "fvOptions/a has a selectionMode", "pimpleFoam")
 finish()
