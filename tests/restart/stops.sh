@@ -184,7 +184,7 @@ each_step()
 }
 for n in 1 2
 do
-    HWLOC_COMPONENTS= claim "rows in each step, ranks $n: stopped" each_step "each.$n" $n
+    claim "rows in each step, ranks $n: stopped" each_step "each.$n" $n
 done
 
 # ---- the file stop -------------------------------------------------------------------------------
