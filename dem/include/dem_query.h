@@ -31,8 +31,8 @@ int dem_profile_text(struct dem *, const char **text);
    valid until the next. An error in a run that keeps none. */
 int dem_energy(struct dem *, double *since, int *n, const struct dem_energy_item **item);
 
-/* Collective. The number of particles with more kinetic energy than `energy` [J]. The rotation of clumps counts, but not
-   of spheres: they may spin for ever in contacts without resistance to twisting. */
+/* Collective. The number of particles with more kinetic energy than `energy` [J]. The rotation of
+   clumps counts, but not of spheres: they may spin for ever without resistance to twisting. */
 int dem_count_moving(struct dem *, double energy, int64_t *n);
 
 /* Rest, as time/untilQuiet defines it (dem_case_read_quiet). dem_quiet_check: an error when the

@@ -104,6 +104,20 @@ static double apart(struct dem *a, struct dem *b)
     return worst;
 }
 
+static void inserts_onto_plane(const char *region, const char *what)
+{
+    const double low = -9e-4, high = 1.5e-3;
+    struct dem *const d = world(
+        world_text("%s domain { z (%g %g); flat (z); } insert { mixed { type random; count %d; "
+                   "sizes { type uniform; min 5e-4; max 2e-3; } %s } }",
+                   world_text(physics, 0.0), low, high, N, region),
+        0, NULL);
+
+    TAP_OK(off_plane(d, 0.5*(low + high)) == 0.0 && world_tally(d).largest_overlap == 0.0,
+           "random centres in %s lie in the plane, without overlap", what);
+    dem_free(d);
+}
+
 int main(void)
 {
     TAP_TRAPS;
@@ -154,28 +168,8 @@ int main(void)
     world_run(stream, 0.1);
     TAP_OK(off_plane(stream, 0.5*(-9e-4 + 1.5e-3)) == 0.0, "a stream inserts onto the plane");
 
-    /* the thinnest box that holds the smallest of them */
-    struct dem *const mixed = world(
-        world_text(
-            "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { mixed { type random; count 60; "
-            "sizes { type uniform; min 5e-4; max 2e-3; } min (0 0 5e-5); max (0.02 0.02 5.5e-4); } }",
-            world_text(physics, 0.0)),
-        0, NULL);
-
-    TAP_OK(off_plane(mixed, 0.5*(-9e-4 + 1.5e-3)) == 0.0 && world_tally(mixed).largest_overlap == 0.0,
-           "random centres lie in the plane, off by %g m, overlap %g of a diameter", off_plane(mixed, 3e-4),
-           world_tally(mixed).largest_overlap);
-    dem_free(mixed);
-
-    struct dem *const disc = world(
-        world_text(
-            "%s domain { z (-9e-4 1.5e-3); flat (z); } insert { disc { type random; count 60; "
-            "sizes { type uniform; min 5e-4; max 2e-3; } cylinder { from (0 0 -2e-4); to (0 0 8e-4); radius 0.012; } } }",
-            world_text(physics, 0.0)),
-        0, NULL);
-
-    TAP_OK(off_plane(disc, 0.5*(-9e-4 + 1.5e-3)) == 0.0 && world_tally(disc).largest_overlap == 0.0,
-           "random centres in a disc lie in the plane, without overlap");
-    dem_free(disc);
+    /* the thinnest that hold the smallest of them */
+    inserts_onto_plane("min (0 0 5e-5); max (0.02 0.02 5.5e-4);", "a box");
+    inserts_onto_plane("cylinder { from (0 0 -2e-4); to (0 0 8e-4); radius 0.012; }", "a disc");
     TAP_DONE;
 }

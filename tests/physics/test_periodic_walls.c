@@ -451,9 +451,9 @@ static void test_bits(void)
 
 /* ---- a plate that fills a cell with two periodic axes ------------------------------------------ */
 
-/* Bonds of a sphere with a plate across the axis `normal`, which ends at both pairs of periodic faces: two triangles, or
-   (hole) a frame around a hole of an eighth of the plate's width. The sphere touches it 0.3 R from a face along the
-   next axis, or from both faces. */
+/* Bonds of a sphere with a plate across the axis `normal`, which ends at both pairs of periodic faces: two
+   triangles, or (hole) a frame around a hole of an eighth of the plate's width. The sphere touches it 0.3 R from a
+   face along the next axis, or from both faces. */
 static int64_t bonds_on(int normal, int diagonal, int hole, int corner)
 {
     static const double ring[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
@@ -484,7 +484,8 @@ static int64_t bonds_on(int normal, int diagonal, int hole, int corner)
     seed.position[(normal + 1)%3] = corner ? 0.3*R : 0.25*L;
     seed.position[(normal + 2)%3] = 0.3*R;
     char *const walls = wall_of(&m, "", 17);
-    struct dem *const w = world(scene("bondLinear { normalStiffness 1e9; shearStiffness 0; walls yes; dampingRatio 0.1; }",
+    struct dem *const w = world(scene("bondLinear { normalStiffness 1e9; shearStiffness 0; walls yes; "
+                                      "dampingRatio 0.1; }",
                                       world_text("%c (0 0.016); %c (0 0.016); periodic (%c %c);",
                                                  "xyz"[(normal + 1)%3], "xyz"[(normal + 2)%3],
                                                  "xyz"[(normal + 1)%3], "xyz"[(normal + 2)%3]), walls), 1, &seed);

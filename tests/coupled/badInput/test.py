@@ -215,9 +215,10 @@ for kind, sentence, entries in (
     refused(f"fvOptions with {kind}", case, sentence)
 case.remove("constant/fvOptions")
 for value, shown in ((40, "is 40"), (0, "is 0"), (-1, "is -1")):
-    case.dictionary("0/voidFraction", f"dimensions [0 0 0 0 0 0 0]; internalField uniform 1; boundaryField {{ "
-                    f"walls {{ type zeroGradient; }} top {{ type fixedValue; value uniform {value}; }} }}", "volScalarField")
-    refused(f"a void fraction of {value} at a patch", case, f"voidFraction of patch top in .*/0/voidFraction. {shown}; give")
+    case.dictionary("0/voidFraction", "dimensions [0 0 0 0 0 0 0]; internalField uniform 1; boundaryField { walls { "
+                    f"type zeroGradient; }} top {{ type fixedValue; value uniform {value}; }} }}", "volScalarField")
+    refused(f"a void fraction of {value} at a patch", case,
+            f"voidFraction of patch top in .*/0/voidFraction. {shown}; give")
 case.remove("0/voidFraction")
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
 refused("the solver's particles and a function object's", case, "has particles already")
