@@ -265,7 +265,7 @@ Foam::vector Foam::demFluid::alongPeriods(const fvMesh& mesh, const vector& g)
             period -= (period & longest)*longest;
         }
     }
-    return along;
+    return mag(along) > 1e-9*mag(g) ? along : vector(Zero);
 }
 
 
@@ -273,7 +273,7 @@ void Foam::demFluid::checkGravity(const fvMesh& mesh, const vector& g)
 {
     const vector along(alongPeriods(mesh, g));
 
-    if (mesh.foundObject<volScalarField>("p_rgh") && mag(along) > 1e-9*mag(g))
+    if (mesh.foundObject<volScalarField>("p_rgh") && mag(along) > 0)
     {
         FatalErrorInFunction
             << "constant/g has the part " << along << " m/s2 along cyclic patches, but p_rgh"
