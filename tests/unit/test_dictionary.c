@@ -208,7 +208,7 @@ static void in_order(void)
 {
     struct dem_dict *d = read_good("b 1 (2 x); a { z \"q r\"; }\n\nc 3;");
     const struct dem_entry *e;
-    const struct dem_dict *a;
+    const struct dem_dict *a = NULL;
 
     TAP_OK(dem_dict_count(d) == 3 && !dem_dict_entry(d, 3), "three entries");
     e = dem_dict_entry(d, 0);
@@ -228,6 +228,9 @@ static void in_order(void)
     TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
                strstr(dem_error_text(), "unknown entry \"z\" in a"),
            "entries taken in a loop count as read, the others are refused: %s", dem_error_text());
+    TAP_OK(a && dem_dict_has(a, "z") && dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
+               strstr(dem_error_text(), "entry \"z\" of a has no effect"),
+           "one that is known, but not read: %s", dem_error_text());
     dem_dict_mark_read(d);
     TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all are accepted");
     dem_dict_free(d);
