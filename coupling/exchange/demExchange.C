@@ -80,27 +80,6 @@ void Foam::demExchange::depositPressureResponse(vectorField& reaction)
 }
 
 
-// For the fvOption demTurbulenceSource
-void Foam::demExchange::depositTurbulence() const
-{
-    if
-    (
-        volScalarField* production = particles_.mesh().getObjectPtr<volScalarField>
-        (
-            demTurbulenceProduction::name()
-        )
-    )
-    {
-        transfer_.deposit
-        (
-            demTurbulenceProduction::ofParticles(fluid_, particles_.window())(),
-            production->ref()
-        );
-        production->correctBoundaryConditions();
-    }
-}
-
-
 Foam::demExchange::demExchange
 (
     demParticles& particles,
@@ -250,7 +229,10 @@ void Foam::demExchange::toFluid(const demFlow& flow)
         {
             depositPressureResponse(reaction);
         }
-        depositTurbulence();
+        demTurbulenceProduction::deposit
+        (
+            particles_.mesh(), transfer_, fluid_, particles_.window()
+        );
 
         scalarField following(response);
         dem_fluid_following(particles_.core(), following.begin());

@@ -194,8 +194,18 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
         stop_.reset(new demStop(time_));
     }
 
-    demFluid::checkSources(fv::options::New(mesh_));
-    if (driver_().cloud().particles().twoWay())
+    // One-way, only a solver that takes sources has a list of them
+    const bool twoWay = driver_().cloud().particles().twoWay();
+    const fv::options* sources =
+        twoWay
+      ? &fv::options::New(mesh_)
+      : mesh_.findObject<fv::options>(fv::options::typeName);
+
+    if (sources)
+    {
+        demFluid::checkSources(*sources);
+    }
+    if (twoWay)
     {
         addSource<fv::demMomentumSource>(name);
         if (driver_().cloud().transfersHeat())

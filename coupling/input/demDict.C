@@ -309,8 +309,17 @@ void Foam::demDict::refuseDuplicate(const word& name, const char* where) const
 
 std::string Foam::demDict::text() const
 {
+    dictionary scene(dict_);
+    dictionary coupling(coupling_);
+
+    for (const char* name : {"record", "fields", "lastGood"})
+    {
+        coupling.remove(name);  // they change no result
+    }
+    scene.add("coupling", coupling);
+
     OStringStream os;
     os.precision(17);           // doubles arrive with the same bits
-    writeEntries(dict_, os);
+    writeEntries(scene, os);
     return os.str();
 }

@@ -15,10 +15,7 @@
 #include "OSspecific.H"
 #include "wallFvPatch.H"
 #include "dem_numbers.h"
-#include <algorithm>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 namespace Foam
 {
@@ -228,61 +225,6 @@ void Foam::demPlan::overfullWarning(DynamicList<string>& warnings) const
           + name(now.max_diameter) + " m, are too large for these cells; use kernel diffusion,"
           + " with diameter " + name(now.max_diameter)
           + " in coupling if sizes differ much, or larger cells"
-        );
-    }
-}
-
-
-// Baffles as createBaffles makes them: both sides have the same points, and kernels with weights at
-// points reach from one to the other. Two sides on different ranks are not seen. Collective.
-void Foam::demPlan::baffleWarning(DynamicList<string>& warnings) const
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    labelList sides(patches.nNonProcessor(), Zero);
-    std::vector<std::pair<std::vector<label>, label>> faces;
-
-    forAll(patches, patchi)
-    {
-        for (const face& f : static_cast<const faceList::subList&>(patches[patchi]))
-        {
-            std::vector<label> points(f.begin(), f.end());
-            std::sort(points.begin(), points.end());
-            faces.emplace_back(std::move(points), patchi);
-        }
-    }
-    std::sort(faces.begin(), faces.end());
-
-    for (size_t from = 0, to = 0; from < faces.size(); from = to)
-    {
-        bool passes = false;
-
-        for (; to < faces.size() && faces[to].first == faces[from].first; ++to)
-        {
-            passes = passes || patches[faces[to].second].coupled();
-        }
-        for (size_t k = from; k < to && to > from + 1 && !passes; ++k)
-        {
-            sides[faces[k].second]++;
-        }
-    }
-
-    string names;
-    label n = 0;
-    forAll(sides, patchi)
-    {
-        reduce(sides[patchi], sumOp<label>());
-        if (sides[patchi] > 0)
-        {
-            names += (n ? ", " : "") + patches[patchi].name();
-            n += sides[patchi];
-        }
-    }
-    if (n)
-    {
-        warnings.append
-        (
-            "patch " + names + ": both sides of a baffle share their points (" + name(n/2) + " faces), so"
-            " kernels except divided and particleCentre reach through it; run mergeOrSplitBaffles -split -overwrite"
         );
     }
 }

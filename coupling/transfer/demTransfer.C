@@ -22,39 +22,38 @@ void Foam::demTransfer::read()
         {
             FatalIOErrorInFunction(coupling_)
                 << "coupling/" << entry << " is a setting of the smoothing, which kernel "
-                << kernel_().type() << " does not have; take it out,"
-                << " or use kernel diffusion" << exit(FatalIOError);
+                << kernel_().type() << " does not have; take it out, or use kernel diffusion"
+                << exit(FatalIOError);
         }
     }
-    if (width_ < 0)
+    const scalar diameter = coupling_.getOrDefault<scalar>("diameter", 1);
+    const struct { const char* entry; scalar value; bool good; std::string cure; } numbers[] =
     {
-        FatalIOErrorInFunction(coupling_)
-            << "coupling/width " << width_ << " is negative; give the width in particle"
-            << " diameters, 3 for example, 0 for no smoothing" << exit(FatalIOError);
-    }
-    if (lawWidth_ < 0 || lawWidth_ > width_)
+        {"width", width_, width_ >= 0, "it in particle diameters, 3 for example, 0 for none"},
+        {
+            "lawWidth", lawWidth_, lawWidth_ >= 0 && lawWidth_ <= width_,
+            "a number from 0, for none, to the width, " + Foam::name(width_)
+        },
+        {"diameter", diameter, diameter > 0, "a diameter above 0 m"},
+        {
+            "minVoidFraction", minVoidFraction_, minVoidFraction_ > 0 && minVoidFraction_ < 1,
+            "a number above 0 and below 1, 0.2 for example"
+        }
+    };
+    for (const auto& number : numbers)
     {
-        FatalIOErrorInFunction(coupling_)
-            << "coupling/lawWidth " << lawWidth_ << " is out of range; give a number from 0,"
-            << " for none, to the width, which is " << width_ << exit(FatalIOError);
+        if (!number.good)
+        {
+            FatalIOErrorInFunction(coupling_)
+                << "coupling/" << number.entry << " is " << number.value << "; give "
+                << number.cure.c_str() << exit(FatalIOError);
+        }
     }
     if (lawWidth_ > 0 && (mesh_.nGeometricD() != 3 || wedge_.valid()))
     {
         FatalIOErrorInFunction(coupling_)
             << "coupling/lawWidth is for three-dimensional meshes, and this one is a wedge or"
             << " two-dimensional; take it out" << exit(FatalIOError);
-    }
-    if (coupling_.getOrDefault<scalar>("diameter", 1) <= 0)
-    {
-        FatalIOErrorInFunction(coupling_)
-            << "coupling/diameter is " << coupling_.get<scalar>("diameter")
-            << " m; it must be positive" << exit(FatalIOError);
-    }
-    if (minVoidFraction_ <= 0 || minVoidFraction_ >= 1)
-    {
-        FatalIOErrorInFunction(coupling_)
-            << "coupling/minVoidFraction " << minVoidFraction_ << " is out of"
-            << " range; give a number above 0 and below 1, 0.2 for example" << exit(FatalIOError);
     }
 }
 
@@ -263,14 +262,11 @@ Foam::tmp<Foam::vectorField> Foam::demTransfer::sample(const volVectorField& fie
 
     for (const sampled& s : recent_)
     {
-        if (!s.known)       // the same on all ranks
-        {
-            continue;
-        }
         const bool same =
-            std::memcmp(s.cells.cdata(), cells.cdata(), cells.size()*sizeof(vector)) == 0;
+            s.known
+         && std::memcmp(s.cells.cdata(), cells.cdata(), cells.size()*sizeof(vector)) == 0;
 
-        if (returnReduce(same, andOp<bool>()))
+        if (s.known && returnReduce(same, andOp<bool>()))   // known: the same on all ranks
         {
             return tmp<vectorField>(new vectorField(s.values));
         }
@@ -303,11 +299,7 @@ Foam::tmp<Foam::scalarField> Foam::demTransfer::sampleSolidForLaw() const
 
 
 template<class Type>
-void Foam::demTransfer::spread
-(
-    const UList<Type>& perParticle,
-    Field<Type>& density
-) const
+void Foam::demTransfer::spread(const UList<Type>& perParticle, Field<Type>& density) const
 {
     List<Type> values(perParticle);
     if (wedge_.valid())
@@ -324,11 +316,7 @@ void Foam::demTransfer::spread
 
 
 template<class Type>
-void Foam::demTransfer::deposit
-(
-    const UList<Type>& perParticle,
-    Field<Type>& density
-) const
+void Foam::demTransfer::deposit(const UList<Type>& perParticle, Field<Type>& density) const
 {
     spread(perParticle, density);
     kernel_().smooth(density);

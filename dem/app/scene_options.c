@@ -163,21 +163,6 @@ static int check_end(const struct dem_schedule *s, struct dem *d)
     return DEM_OK;
 }
 
-/* A scene may also belong to a coupled run: its entry `coupling` is accepted unread, and
-   reported. */
-static int accept_coupling(const struct dem_dict *scene, int *present)
-{
-    const struct dem_dict *coupling;
-
-    DEM_TRY(dem_dict_sub_if(scene, "coupling", &coupling));
-    *present = coupling != NULL;
-    if (coupling)
-    {
-        dem_dict_mark_read(coupling);
-    }
-    return DEM_OK;
-}
-
 /* Names of devices have blanks: a text in quotes. */
 static int set_device(const struct dem_request *r, struct dem_case *c)
 {
@@ -209,7 +194,7 @@ static int read_scene(const struct dem_request *r, struct dem_case *c, struct de
     }
     DEM_TRY(read_schedule(s, c, r->scene));
     DEM_TRY(dem_accuracy_read(&s->accuracy, dem_case_dict(c)));
-    DEM_TRY(accept_coupling(dem_case_dict(c), &s->coupling));
+    s->coupling = dem_dict_has(dem_case_dict(c), "coupling");
     DEM_TRY(s->output.energy > 0.0 ? dem_case_enable_energy(c) : DEM_OK);
     return s->output.orientation ? dem_case_enable_orientation(c) : DEM_OK;
 }

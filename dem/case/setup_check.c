@@ -271,10 +271,24 @@ static int check_bonds(const struct dem_case *c)
     return DEM_OK;
 }
 
+/* An entry `coupling` is for a coupled run: it is compared at a restart, but not read. */
+static int accept_coupling(const struct dem_dict *scene)
+{
+    const struct dem_dict *coupling;
+
+    DEM_TRY(dem_dict_sub_if(scene, "coupling", &coupling));
+    if (coupling)
+    {
+        dem_dict_mark_read(coupling);
+    }
+    return DEM_OK;
+}
+
 int dem_sim_check_scene(struct dem_case *c)
 {
     struct dem *const d = c->d;
 
+    DEM_TRY(accept_coupling(d->dict));
     DEM_TRY(dem_dict_refuse_unread(d->dict));
     DEM_TRY(dem_sim_check_clumps(c));
     DEM_TRY(dem_streams_check(&d->scene.streams, &d->state.domain));

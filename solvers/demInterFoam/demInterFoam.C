@@ -56,6 +56,7 @@ Description
 #include "demMeshCheck.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
+#include "checkCorrectors.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -132,6 +133,11 @@ int main(int argc, char *argv[])
     (
         "Transient flow of two immiscible fluids coupled with particles (CFD-DEM)"
     );
+
+    #define NO_CONTROL
+    #define CREATE_FIELDS createPostInterFields.H
+    #include "postProcess.H"
+
     demRun::addOptions();
 
     #include "setRootCaseLists.H"
@@ -146,6 +152,7 @@ int main(int argc, char *argv[])
 
     pimpleControl pimple(mesh);
 
+    checkCorrectors(pimple.dict());
     checkTimeScheme(mesh, "ddt(mass)");
     checkTimeScheme(mesh, "ddt(mass,U)");
     #include "createTimeControls.H"

@@ -66,6 +66,7 @@ Description
 #include "demMeshCheck.H"
 #include "demRun.H"
 #include "demTimeStepControl.H"
+#include "checkCorrectors.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -83,6 +84,11 @@ int main(int argc, char *argv[])
     (
         "Transient incompressible flow coupled with particles (CFD-DEM)"
     );
+
+    #define NO_CONTROL
+    #define CREATE_FIELDS createPostFields.H
+    #include "postProcess.H"
+
     demRun::addOptions();
 
     #include "setRootCaseLists.H"
@@ -97,6 +103,7 @@ int main(int argc, char *argv[])
 
     pimpleControl pimple(mesh);
 
+    checkCorrectors(pimple.dict());
     checkTimeScheme(mesh, "ddt(voidFraction)");
     checkTimeScheme(mesh, "ddt(voidFraction,U)");
     #include "createTimeControls.H"

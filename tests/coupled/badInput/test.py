@@ -93,7 +93,7 @@ slips = [                                             # what, sentence, changes
      ("diffusion;", "linear; diameter 1e-3;"), ("width.*", "")),
     ("lawWidth without smoothing", f"coupling/lawWidth {smoothing}",
      ("diffusion;", "linear; lawWidth 1;"), ("width.*", "")),
-    ("lawWidth above the width", "lawWidth 4 is out of range", ("diffusion;", "diffusion; lawWidth 4;")),
+    ("lawWidth above the width", "coupling/lawWidth is 4; give a number from 0, for none, to the width, 3", ("diffusion;", "diffusion; lawWidth 4;")),
     ("width of spheres", f"coupling/width {smoothing}", ("diffusion", "divided")),
     ("a Gaussian without width", "coupling/width 0 is no width for kernel gaussian",
      ("diffusion", "gaussian"), ("width .*", "width 0;")),
@@ -103,7 +103,7 @@ slips = [                                             # what, sentence, changes
     ("gravity twice, not the same", "one place only",
      ("pressureGradient {}", r"\g<0> gravity { acceleration (0 0 -9); }")),
     *((f"a least void fraction of {e}",
-       f"coupling/minVoidFraction {e} is out of range; give a number above 0 and below 1",
+       f"coupling/minVoidFraction is {e}; give a number above 0 and below 1",
        coupling(f"minVoidFraction {e};")) for e in (0, 1)),
     ("driven particles", "driven particles, which the balances of a coupled run",
      ("count 1500;", r"\g<0> driven yes;")),
@@ -219,7 +219,15 @@ for value, shown in ((40, "is 40"), (0, "is 0"), (-1, "is -1")):
                     f"type zeroGradient; }} top {{ type fixedValue; value uniform {value}; }} }}", "volScalarField")
     refused(f"a void fraction of {value} at a patch", case,
             f"voidFraction of patch top in .*/0/voidFraction. {shown}; give")
+case.dictionary("0/voidFraction", "dimensions [0 1 0 0 0 0 0]; internalField uniform 1; "
+                'boundaryField { ".*" { type zeroGradient; } }', "volScalarField")
+refused("a void fraction in metres", case, r"voidFraction\" has dimensions \[0 1 0 0 0 0 0\]; give \[0 0 0 0 0 0 0\]")
 case.remove("0/voidFraction")
+solution = case.read("system/fvSolution")
+for name, n, least in (("nOuterCorrectors", 0, 1), ("nCorrectors", 0, 1), ("nNonOrthogonalCorrectors", -1, 0)):
+    case.sub("system/fvSolution", f"{name} [0-9]", f"{name} {n}")
+    refused(f"{name} {n}", case, f"{name} in PIMPLE of system/fvSolution is {n}; give {least} or more")
+    case.write("system/fvSolution", solution)
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
 refused("the solver's particles and a function object's", case, "has particles already")
 
@@ -242,6 +250,13 @@ for field in "Up":
 shared = re.compile(r"patch shelf: both sides of a baffle share their points \(15 faces\).*mergeOrSplitBaffles -split")
 run = case.run("demPimpleFoam", "-plan")
 claim("a baffle whose sides share their points is reported", run and shared.search(run.log),
+      *run.log.splitlines()[-12:])
+# one side on each rank
+case.dictionary("constant/cellRanks", f"125 ({'0 '*50}{'1 '*75})", "labelList")
+case.dictionary("system/decomposeParDict", 'numberOfSubdomains 2; method manual; coeffs { dataFile "cellRanks"; }')
+case.run("decomposePar")
+run = case.run("demPimpleFoam", "-plan", ranks=2)
+claim("a baffle whose sides share their points is reported on two ranks", run and shared.search(run.log),
       *run.log.splitlines()[-12:])
 case.run("mergeOrSplitBaffles", "-split", "-overwrite")
 run = case.run("demPimpleFoam", "-plan")
@@ -271,6 +286,11 @@ if cavity.is_dir():
     for ranks, on in ranks_and_name:
         changed(refused, f"two-way in a solver that never asks{on}", case, "does not call fvOptions",
                 [("twoWay .*", "")], "icoFoam", ranks=ranks)
+    case.dictionary("constant/fvOptions", "s { type buoyancyForce; selectionMode all; fields (U); }")
+    run = case.run("icoFoam", log="log.reported")
+    claim("one-way in a solver without sources: fvOptions is not read",
+          re.search("^End", run.log, re.M) and "fvOptions" not in run.log, *run.log.splitlines()[-12:])
+    case.remove("constant/fvOptions")
     (case/scene).rename(case/"scene")
     for ranks, on in ranks_and_name:
         refused(f"no file for a function object{on}", case, "demProperties", "icoFoam", ranks=ranks)

@@ -5,6 +5,7 @@
 - From several start times, with fixed and adjusted steps, independent of the times of output.
 - In demPimpleFoam on one rank and two, by function object in pimpleFoam and, with its running mean, in steady
   simpleFoam.
+- A restart lists the entries of coupling that differ from those of its snapshot.
 - On another number of ranks the particles are the same to the last bit, and the run to the solver's tolerance.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -79,6 +80,16 @@ for solver in ("pimpleFoam", "demPimpleFoam"):
 case.run("foamToVTK", "-latestTime")
 claim("foamToVTK reads the particles", any("NumberOfPoints='403'" in picture.read_text(errors="replace")
                                            for picture in case.path.glob("VTK/lagrangian/**/*.vtp")))
+
+control(startTime=0.004)
+listed = lambda: re.findall("restart: (.*)", case.run("demPimpleFoam", "-plan").log)
+claim("a restart of the same case lists no difference", listed() == [])
+case.sub("constant/demProperties", "rho 1000;", "rho 900; kernel linear;")
+claim("a restart lists entries of coupling that have changed, and no others",
+      lambda: listed() == ["coupling/kernel linear is new: it applies from now on",
+                           "coupling/rho was 1000, now 900: it applies from now on"])
+case.sub("constant/demProperties", "rho 900; kernel linear;", "rho 1000;")
+control(startTime=0)
 
 # ---- two ranks, and from two to one ----------------------------------------------------------------
 

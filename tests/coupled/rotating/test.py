@@ -258,6 +258,16 @@ case.frame(10)
 claim_refused("an MRF zone in demPimpleFoam is refused", case,
               "Zone rotor of constant/MRFProperties is active, but demPimpleFoam", "demPimpleFoam")
 case.controls(0.01, 0.001, functions=OBJECT)
+case.frame(10)
+case.gravity()
+case.append("constant/demProperties", 'start { snapshot "settled.dem"; }\n')
+claim_runs("-settle with an MRF zone: runs", case, "demPimpleFoam", "-settle")
+claim("-settle with an MRF zone: its wall rotates, its open patches that hold the particles do not",
+      case.found("the surface of wall shaft rotates") and not case.found("the surface of wall lids rotates")
+      and case.found("open patches are walls .*lids"))
+claim("-settle with an MRF zone: the particles come to rest", case.found("at rest at t"))
+case.remove("constant/g")
+case.properties(*DROPS)
 case.frame(10, axis="(0 1 0)")
 claim_refused("a wall of an MRF zone that would push is refused", case,
               "Patch shaft rotates with zone rotor ... no surface of revolution", "pimpleFoam")

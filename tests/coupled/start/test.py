@@ -194,6 +194,14 @@ refuses("a misspelt entry beside the snapshot is refused", "temperatur")
 opened = Case("opened", "hydrostatic")
 opened.run("blockMesh")
 opened.sub("constant/polyMesh/boundary", "(walls\\s*{\\s*type\\s*)wall;", r"\1patch;")
+# and a patch without faces, as snappyHexMesh may leave one
+opened.sub("constant/polyMesh/boundary", r"^2\n\(", "3\n(\n    none { type patch; nFaces 0; startFace 300; }")
+for field in "Up":
+    opened.sub(f"0/{field}", r"^boundaryField\n\{", "boundaryField\n{\n    none { type calculated; }")
+opened.run("decomposePar")
+claim_runs("-settle on two ranks, with a patch without faces", opened, "demPimpleFoam", "-settle", ranks=2)
+claim("-settle on two ranks: the patch without faces is no wall",
+      not opened.found("open patches are walls .*none") and opened.found("open patches are walls .*walls"))
 claim_runs("-settle in open patches", opened, "demPimpleFoam", "-settle")
 claim("-settle in open patches: they are walls, says the log",
       opened.found("while particles settle, open patches are walls of neutral: .*walls"))

@@ -7,7 +7,7 @@
   viscosity. A uniform isotropic Reynolds stress moves nothing.
 - Particles disperse as Tchen derived, in demPimpleFoam and pimpleFoam; the mean flow loses the turbulent energy that
   they produce.
-- Unsupported models are refused.
+- With -postProcess wallShearStress and yPlus are those of the run. Unsupported models are refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -122,6 +122,7 @@ case.append(control, """
 functions
 {
     stress { type wallShearStress; libs ("libfieldFunctionObjects.so"); }
+    wall { type yPlus; libs ("libfieldFunctionObjects.so"); writeControl writeTime; }
     load { type forces; libs ("libforces.so"); patches (floor); rho rhoInf; rhoInf 1.2; CofR (0 0 0); }
 }
 """)
@@ -130,6 +131,13 @@ claim_runs("moving mesh, with function objects: runs", case)
 claim("moving mesh: k without sources stays uniform (1e-6)", largest(case.field("0.0390625/k") - 1) < 1e-6)
 claim("moving mesh: wallShearStress and forces have the model",
       case.read("postProcessing/load/0/force.dat") and case.read("postProcessing/stress/0/wallShearStress.dat"))
+
+written = {name: case.boundary(f"0.0390625/{name}", "floor") for name in ("wallShearStress", "yPlus")}
+case.remove("0.0390625/wallShearStress", "0.0390625/yPlus")
+for name in written:
+    case.run("demPimpleFoam", "-postProcess", "-func", name, "-latestTime")
+    claim(f"-postProcess -func {name}: as in the run (1e-6)",
+          lambda: difference(case.boundary(f"0.0390625/{name}", "floor"), written[name]) < 1e-6*largest(written[name]))
 
 case = Case("kOmegaSST")
 eddies(case, 1)
