@@ -71,6 +71,8 @@ INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", 
 KINDS = {
     "youngsModulus": "pressure",
     "characteristicVelocity": "velocity",
+    "kn": "stiffness",
+    "kt": "stiffness",
     "gamman": "rate",
     "gammat": "rate",
     "gamman_abs": "damping",
@@ -193,8 +195,6 @@ def property_global(t, name, group, words):
         t.refuse(f"has {len(values)} values, not the number that {kind} needs",
                  f"property/global {what}")
     unit = KINDS.get(what, "number")
-    if what in ("kn", "kt"):
-        unit = "stiffness" if t.units.name == "si" else "number"
     t.properties.set(what, kind, [t.number(word, unit) for word in values], t.command.place)
     t.translated("materials, effects")
 

@@ -24,6 +24,7 @@ class Head:
         if words[0] not in BASE:
             self.refuse(f"Suna has SI units; known here: {', '.join(BASE)}", f"units {words[0]}")
         self.units = Units(words[0])
+        self.properties.length = self.units.si("length", 1.0)
         self.translated("" if words[0] == "si" else "converted to SI")
 
     def do_atom_style(self, words):

@@ -99,7 +99,7 @@ class Walls:
         else:
             a = AXES[wall.primitive[0]]
             axis, point = numpy.eye(3)[a], numpy.zeros(3)
-            point[[k for k in range(3) if k != a]] = n[1:]
+            point[[(a + 1) % 3, (a + 2) % 3]] = n[1:]       # of ycylinder: z, x
         away = numpy.linalg.norm(numpy.cross(self.landmarks() - point, axis), axis=1)
         side = "inside" if self.side(wall, n[0] - away) > 0 else "outside"
         if wall.velocity and numpy.linalg.norm(numpy.cross(axis, wall.velocity)) > 0:

@@ -259,6 +259,12 @@ def units():
         assert si in cgs, si
         cgs = cgs.replace(si, other)
     assert flat(translate(cgs)[0]) == flat(translate(BASE)[0])
+    for law, kn in (("hooke/stiffness", 1e-3), ("hertz/stiffness", 0.1)):       # 1 dyn/cm in N/m, 1 dyn/cm2 in Pa
+        lines = "".join(f"fix {name} all property/global {name} peratomtypepair 1 {value}\n"
+                        for name, value in (("kn", 1e8), ("kt", 3e7), ("gamman", 0), ("gammat", 0)))
+        stiff = cgs.replace("model hertz", f"model {law}").replace("timestep 1e-6", "timestep 1e-9")
+        has(translate(stiff.replace("pair_style", lines + "pair_style"))[0],
+            f"{law.split('/')[0]} {{ stiffness {kn*1e8:.12g}; }}", "ratio 0.3;")
     micro = ONE.replace("units si", "units micro").replace("single 0 0 0.01",
                                                            "single 0 0 1e4").replace(
         "diameter 1e-3 density 2500", "diameter 1e3 density 2.5").replace("5e6",
@@ -366,6 +372,10 @@ def pairs():
     "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
     "pair_style gran model hertz tangential history rolling_friction cdt")
     has(translate(rolling)[0], "between (type1 type1_wall); rollingConstant { friction 0; }")
+    sticky = BASE.replace("hertz tangential history", "hertz tangential history cohesion sjkr2").replace(
+        "pair_style", "fix c all property/global cohesionEnergyDensity peratomtypepair 1 1e4\npair_style")
+    has(translate(sticky)[0], " sjkr { energyDensity 20000; }", "z0 { type plane; material type1_wall;",
+        "type1_type1_wall { between (type1 type1_wall); sjkr { energyDensity 10000; } }")
     line = next(row for row in BASE.splitlines() if row.startswith("fix z0"))
     smooth = line.replace("fix z0", "fix z1").replace("tangential history", "tangential off rolling_friction cdt")
     has(translate(rolling.replace(line, f"{line}\n{smooth}"))[0],
@@ -384,6 +394,8 @@ def walls():
                         ("zcylinder 0.02 0 0", "axis (0 0 1); radius 0.02; particles inside;"),
                         ("xcylinder 0.005 0.5 0",
                          "point (0 0.5 0); axis (1 0 0); radius 0.005; particles outside;"),
+                        ("ycylinder 0.2 0.005 0.001",       # z, then x
+                         "point (0.001 0 0.005); axis (0 1 0); radius 0.2; particles inside;"),
                         ("zplane 0 shear x 0.3", "surfaceVelocity (0.3 0 0);"),
                         ("general_plane 0 0 -1 0 0 2", "point (0 0 -1); normal (0 0 1);")):
         has(translate(BASE.replace(line, line.replace("zplane 0.0", words)))[0], part)
