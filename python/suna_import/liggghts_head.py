@@ -37,7 +37,7 @@ class Head:
         self.translated("spheres")
 
     def do_dimension(self, words):
-        self.flat = words[0] == "2"
+        self.flat = self.planar = words[0] == "2"
         self.translated("domain/flat" if self.flat else "")
 
     def do_boundary(self, words):

@@ -175,6 +175,9 @@ class Insertion:
     start: float
     end: float = math.inf
     every: float = 0.0              # 0: once
+    every_steps: float = 0.0        # in steps of `step`, as long as this is None
+    start_step: float = None
+    step: float = None              # s, at the first run
     seed: int = 1
     velocity: numpy.ndarray = field(default_factory=lambda: numpy.zeros(3))
     spread: numpy.ndarray = field(default_factory=lambda: numpy.zeros(3))

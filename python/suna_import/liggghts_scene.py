@@ -142,9 +142,10 @@ class SceneMaker(Laws, Walls, Groups, Times):
             self.scene.named("forces", as_name(name), f"{ids}{kind} {vector(values)};", place)
 
     def add_fluid(self):
-        if self.state["fluid"] is None:
+        drags = list(self.state["drags"].values())
+        if not drags:
             return
-        gamma, place = self.state["fluid"]
+        gamma, place = sum(fix.value for fix in drags), drags[-1].place
         if any(i.has_clumps() for i in self.insertions):
             self.refuse(place, "fix viscous", "LIGGGHTS drags each sphere of a clump, Suna the clump; remove the fix")
         sizes = {round(2*t.range()[k], 15) for i in self.insertions

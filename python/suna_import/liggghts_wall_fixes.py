@@ -37,7 +37,7 @@ def wall(t, name, group, words):
     model, rest = read_model(words[1:], t.command.place, "fix wall/gran", t.report)
     if model.cohesion == "sjkr2":       # the area of sjkr; twice this area between particles only
         model = model._replace(cohesion="sjkr")
-    found = Wall(name, model, t.command.place)
+    found = Wall(name, model, t.command.place, group)
     if rest[0] == "primitive":
         rest = read_primitive(t, found, rest)
     elif rest[0] == "mesh":

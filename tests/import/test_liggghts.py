@@ -639,6 +639,65 @@ run 10
     assert flat(two).count("type random") == 2 and "restitution 0.6" in two
 
 
+def changes():
+    """all that a fix says between two runs begins a scene of its own: its values, not the place of its line"""
+    plates = {f"plate{k}__stl": f"solid\nfacet normal 0 0 1\nouter loop\nvertex -1 -1 -{k}\nvertex 1 -1 -{k}\n"
+              f"vertex 0 2 -{k}\nendloop\nendfacet\nendsolid\n" for k in (1, 2)}
+    wall = "fix w all wall/gran model hertz tangential history primitive type 1 zplane $z\n"
+    mesh = "fix cad all mesh/surface file plate$z.stl type 1\n" \
+        "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n"
+    flow = "fix cad all mesh/surface file plate1.stl type 1\n" \
+        "fix f all massflow/mesh mesh cad vec_side 0 0 -1 count once delete_atoms yes\n"
+    for before, change, first, second in (
+            ("fix f all addforce 1e-3 0 0", "fix f all addforce -1e-3 0 0", "(0.001 0 0)", "(-0.001 0 0)"),
+            ("fix v all viscous 1e-6", "unfix v", "stokesDrag", ""),
+            ("", "fix v all viscous 1e-6", "", "stokesDrag"),
+            (flow, "unfix f", "outlets", ""),
+            (wall.replace("$z", "-1"), "unfix w\n" + wall.replace("$z", "-2"), "point (0 0 -1)", "point (0 0 -2)"),
+            (mesh.replace("$z", "1"), mesh.replace("$z", "2"), '"plate1.stl"', '"plate2.stl"'),
+            ("fix g all gravity 1 vector 0 0 1", "unfix g", "gravity", ""),
+            ("thermo_modify lost ignore\nboundary f f f", "thermo_modify lost error", "leaving remove", "")):
+        translate(ONE.replace(RUN, f"{before}\nrun 500\n{change}\nrun 500\n"), **plates)
+        scenes = [flat(path.read_text()) for path in sorted(Path(".").glob("scene_*.dem"))]
+        assert len(scenes) == 2, (before, change, scenes)
+        for part, own, other in ((first, *scenes), (second, *scenes[::-1])):
+            assert not part or part in own and part not in other, (change, part)
+    same = "fix f all addforce 1e-3 0 0\nfix v all viscous 1e-6\n"
+    translate(ONE.replace(RUN, f"{same}run 500\n{same}run 500\n"))
+    assert Path("scene.dem").exists()
+    loop = f"variable z index -1 -2 -3\nlabel a\n{wall}run 100\nunfix w\nnext z\njump SELF a\n"
+    translate(ONE.replace(RUN, loop))
+    assert [f"point (0 0 -{k})" in flat(Path(f"scene_{k}.dem").read_text()) for k in (1, 2, 3)] == [True]*3
+
+
+def groups():
+    """a fix that acts on some of the particles is refused where Suna has it for all"""
+    two = ONE.replace("set group", "create_atoms 1 single 0.005 0 0.02 units box\nset group").replace(
+        RUN, "group one id 1\n" + RUN)
+    for fix in ("gravity 9.81 vector 0 0 -1", "viscous 1e-6",
+                "wall/gran model hertz tangential history primitive type 1 zplane -1"):
+        refused(two.replace(RUN, f"fix x one {fix}\n{RUN}"), "group one", "acts on this group only",
+                f"in.test:{2 + line_of(ONE, RUN.strip())}")
+        # the other one is frozen
+        translate(two.replace("fix move all", "fix move one").replace("group one id 1\n", "").replace(
+            "fix move", "group one id 1\nfix move").replace(RUN, f"fix x one {fix}\n{RUN}"))
+    has(translate(BASE.replace(RUN, "fix side all gravity 3 vector 1 0 0\n" + RUN))[0], "acceleration (3 0 -9.81);")
+    many = ONE.replace("set group", "create_atoms 1 single 0 0 0.02 units box\n"*5 + "set group")
+    has(translate(many.replace(RUN, f"group some id 1:5:2 6\nfix x some addforce 0 0 1\n{RUN}"))[0],
+        "x { ids (1 3 5 6);")
+    # made after a run: which of the inserted particles are in it is not known
+    for group in ("type 1", "region box", "id 1:10", "subtract all none"):
+        for fix in ("freeze", "addforce 0 0 1e-3", "move linear 0 0 1"):
+            refused(BASE.replace(RUN, f"group none empty\nrun 10\ngroup t {group}\nfix x t {fix}\n{RUN}"),
+                    "group t was made after a run", f"fix {fix.split()[0]}")
+    refused(BASE.replace(RUN, f"run 10\nset region box type 1\n{RUN}"), "set type", "cannot be changed")
+    exclude = two.replace("fix z0", "neigh_modify exclude %s\nfix z0")
+    refused(exclude % "type 1 1", "neigh_modify exclude type", "leaves no contact out")
+    refused(exclude % "group all all", "neigh_modify exclude group")
+    translate(exclude % "none")
+    translate(exclude.replace("neigh", "fix stop all freeze\nneigh") % "group all all")
+
+
 def restart_files():
     """read_restart continues from the script beside it that writes the file"""
     run_script = BASE.replace(PACK,
@@ -697,6 +756,13 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     "insert/rate/region").replace("particles_in_region 100",
      "nparticles 50 particlerate 1e5")
     has(translate(rows)[0], "type stream; rate 100000; count 50;")
+    # numbers of steps before the timestep
+    late = BASE.replace("timestep 1e-6\n", "dump d all custom 100 a.* id x\n").replace(
+        "insert_every once", "insert_every 100 start 200 vel constant 0 0 -1").replace(RUN, "timestep 1e-6\n" + RUN)
+    has(translate(late)[0], "interval 0.0001;", "count 100;", "start 0.0002;", "start 0.0003;")
+    refused(late + "timestep 2e-6\nrun 10\n", "insert_every", "counts steps")
+    assert "insert" not in flat(translate(ONE.replace("fix move", PACK + "unfix ins\nfix move"))[0]).replace(
+        "insert { particles", "")
     write_stl(WORK/"face.stl", [[(0, 0, .04), (.005, 0, .04), (0, .005, .04)]])
     stream = BASE.replace(lines[-2],
     "fix face all mesh/surface file face.stl type 1\nfix ins all insert/stream seed 32452843 "
@@ -995,7 +1061,7 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
 TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls,
-         missing_files, names, belt, other_meanings, lost_output, series, restart_files,
+         missing_files, names, belt, other_meanings, lost_output, series, changes, restart_files,
          insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, stored, conduction]
 
