@@ -50,7 +50,6 @@ HARMLESS = {
     "modify_timing": "",
     "thermo_log": "",
     "neighbor": "lists tune themselves",
-    "neigh_modify": "lists tune themselves",
     "atom_modify": "",
     "thermo": "a line every ten seconds; write/energy",
     "thermo_style": "write/energy, averages",
@@ -99,6 +98,7 @@ class Translation(Head, Atoms, Restart):
         self.regions, self.templates, self.distributions = {}, {}, {}
         self.meshes, self.walls, self.insertions, self.fixes = {}, {}, [], {}
         self.particles, self.groups, self.integrated, self.frozen = Particles(), {}, [], []
+        self.unknown = set()        # groups with particles of fix insert/..., known only in a run
         self.forces, self.outlets, self.dump_every, self.wall_interval = {}, {}, None, None
         self.lattice, self.fresh, self.restarted = None, True, None
         self.driven, self.heat, self.names = {}, None, Names()
@@ -237,6 +237,14 @@ class Translation(Head, Atoms, Restart):
             if is_file(folder/name):
                 return folder/name
         self.refuse(f"there is no file {name}; give it, relative to the script's folder")
+
+    def do_neigh_modify(self, words):
+        rest = words[words.after("exclude"):] if "exclude" in words else ["none"]
+        frozen = {group for _, group in self.frozen}
+        if rest[0] != "none" and not (rest[0] == "group" and set(rest[1:3]) <= frozen):
+            self.refuse("Suna leaves no contact out, except between frozen particles; remove it, or write fix freeze "
+                        "of these groups before", f"neigh_modify exclude {rest[0]}")
+        self.harmless("lists tune themselves")
 
     # ---- output ----------------------------------------------------------------------------------
 

@@ -81,20 +81,26 @@ class Atoms:
 
     def do_group(self, words):
         name, style = words[0], words[1]
-        p = self.particles
+        p, placed = self.particles, self.placed()
+        known = not placed
         if style == "id":
-            chosen = numpy.zeros(len(p), bool)
+            chosen, asked = numpy.zeros(len(p), bool), 0
             for word in words[2:]:
-                low, _, rest = word.partition(":")
-                high = (rest or low).split(":")[0]
-                chosen |= (p.id >= self.whole(low)) & (p.id <= self.whole(high))
+                numbers = [self.whole(number, 1) for number in word.split(":")]
+                low, high, stride = [*numbers, *[numbers[0], 1][len(numbers) - 1:]][:3]
+                chosen |= (p.id >= low) & (p.id <= high) & ((p.id - low) % stride == 0)
+                asked = max(asked, high)
+            known = asked <= max(p.id, default=0)
         elif style == "type":
-            chosen = numpy.isin(p.type, [self.atom_type(word) for word in words[2:]])
+            kinds = [self.atom_type(word) for word in words[2:]]
+            chosen = numpy.isin(p.type, kinds)
+            known = not any(t.type in kinds for i in placed for t in i.distribution.templates)
         elif style == "region":
             chosen = self.find(self.regions, words[2], "region").contains(p.x)
         elif style == "empty":
-            chosen = numpy.zeros(len(p), bool)
+            chosen, known = numpy.zeros(len(p), bool), True
         elif style in ("union", "intersect", "subtract"):
+            known = not self.unknown & set(words[2:]) and "all" not in words[2:]
             chosen = self.chosen(words[2])
             for other in map(self.chosen, words[3:]):
                 chosen = chosen | other if style == "union" else \
@@ -103,6 +109,7 @@ class Atoms:
             self.refuse("known: id, type, region, union, intersect, subtract, empty",
                         f"group {style}")
         self.groups[name] = p.id[chosen]
+        (self.unknown.add if placed and not known else self.unknown.discard)(name)
         self.translated("particles that are there")
 
     def chosen(self, group):
@@ -115,7 +122,7 @@ class Atoms:
         while rest:
             key = rest.pop(0)
             if key == "type":
-                if self.moved():
+                if self.moved() or self.placed():
                     self.refuse("the type of particles that a run has moved cannot be changed", "set type")
                 self.particles.type[chosen] = self.atom_type(rest.pop(0))
             elif key in SET:
@@ -146,6 +153,10 @@ class Atoms:
     def moved(self):
         """Particles are there that a run has moved."""
         return self.time > 0 and len(self.particles) > 0
+
+    def placed(self):
+        """Insertions that a run has begun."""
+        return [i for i in self.insertions if i.start < self.time]
 
     def inserted(self):
         """Particles of fix insert/... are there, which only a run knows."""

@@ -69,6 +69,7 @@ LACKING = (("heat/gran/radiation", "not translated; add radiation to the scene (
 PAIRS = ("peratomtypepair", "atomtypepair", "matrix")
 INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical",
                "multisphere")
+ON_GROUP = ("freeze", "move", "addforce", "addtorque")
 KINDS = {
     "youngsModulus": "pressure",
     "characteristicVelocity": "velocity",
@@ -90,6 +91,10 @@ def add(t, name, group, style, words):
     """`t`: the Translation."""
     t.fixes[name] = style
     method = METHODS.get(style)
+    if group in t.unknown and (style in ON_GROUP or style in INTEGRATORS):
+        t.refuse(f"group {group} was made after a run, with particles that fix insert/... has placed; the importer "
+                 "does not know which. Make the group before, and insert into it, or begin another script with the "
+                 "particles, from a data file (read_data)", f"fix {style}")
     if method is not None:
         method(t, name, group, words)
     elif style in INTEGRATORS:

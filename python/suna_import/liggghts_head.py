@@ -44,6 +44,9 @@ class Head:
         for word in words[:3]:
             if not re.fullmatch("[pfsm]{1,2}", word):
                 raise BadWords(f'"{word}" is none of p, f, s, m')
+            if len({letter.replace("s", "m") for letter in word}) > 1:
+                self.refuse("the two sides of this axis differ, but a domain of Suna limits both or none; write "
+                            f"{word[0]} or {word[1]}", f"boundary {word}")
         self.boundary = words[:3]
         self.translated("domain")
 

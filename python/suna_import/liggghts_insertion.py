@@ -202,6 +202,8 @@ class Insertion:
     def numbers(self, report, word, box):
         """Particles of a packing of each size (by_size), as many as LIGGGHTS can place in its
         `box`."""
+        if not numpy.isfinite(self.region.bounds()).all():
+            report.refuse(self.place, f"region {self.region.style}", "has no limits; intersect it with a block")
         one, space = self.distribution.mean(Template.volume), self.region.volume()
         n = self.count
         if self.fraction:

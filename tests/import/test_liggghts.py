@@ -396,6 +396,7 @@ def walls():
                          "point (0 0.5 0); axis (1 0 0); radius 0.005; particles outside;"),
                         ("ycylinder 0.2 0.005 0.001",       # z, then x
                          "point (0.001 0 0.005); axis (0 1 0); radius 0.2; particles inside;"),
+                        ("zplane 0.0004", "normal (0 0 1);"),       # all_in: less than a radius behind it
                         ("zplane 0 shear x 0.3", "surfaceVelocity (0.3 0 0);"),
                         ("general_plane 0 0 -1 0 0 2", "point (0 0 -1); normal (0 0 1);")):
         has(translate(BASE.replace(line, line.replace("zplane 0.0", words)))[0], part)
@@ -427,6 +428,8 @@ def walls():
                                     "zplane 0.0",
                                      "zplane 0.028")
     refused(both, "both sides", f"in.test:{line_of(both, 'fix z0')}")
+    for words in ("zplane 0.0006", "zcylinder 0.0135 0 0"):        # the region is on both sides
+        refused(BASE.replace("zplane 0.0", words), "both sides")
     write_stl(WORK/"plate.stl", [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]])
     plate = (WORK/"plate.stl").read_text()
     mesh = """fix cad all mesh/surface file plate.stl type 1 move 0 0 1 scale 0.01 rotate axis 1 0 0 angle 90
@@ -763,6 +766,9 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     refused(late + "timestep 2e-6\nrun 10\n", "insert_every", "counts steps")
     assert "insert" not in flat(translate(ONE.replace("fix move", PACK + "unfix ins\nfix move"))[0]).replace(
         "insert { particles", "")
+    outside = BASE.replace("100 region box", "100 region out").replace(
+        "fix ins", "region out sphere 0 0 0 0.01 side out units box\nfix ins")
+    refused(outside, "region sphere", "has no limits")
     write_stl(WORK/"face.stl", [[(0, 0, .04), (.005, 0, .04), (0, .005, .04)]])
     stream = BASE.replace(lines[-2],
     "fix face all mesh/surface file face.stl type 1\nfix ins all insert/stream seed 32452843 "
@@ -867,9 +873,9 @@ def single_particles():
     """create_atoms, lattice, set, velocity, group, freeze, read_data"""
     script = ONE.replace("fix move all nve/sphere", """create_atoms 1 single 0.005 0 0.02 units box
 set atom 2 diameter 2e-3 density 1000
-velocity all set 0.1 0 NULL
 group two id 2
 group rest subtract all two
+velocity rest set 0.1 0 NULL
 fix stop two freeze
 fix move rest nve/sphere""")
     has(translate(script)[0],
@@ -880,17 +886,28 @@ fix move rest nve/sphere""")
         "push { ids (1); force (0 0 0.001); }")
     has(translate(script.replace("freeze", "move linear 0 0 -0.1"))
         [0], "velocities ((0 0 -0.1)); driven yes;")
+    # LIGGGHTS integrates what it freezes: without force, the velocity stays
+    kept = script.replace("velocity rest", "velocity all").replace("nve/sphere", "nve/sphere\nfix on two nve/sphere")
+    has(translate(kept)[0], "ids (2); velocities ((0.1 0 0)); driven yes;")
+    refused(script.replace("velocity rest", "velocity all"), "no fix integrates")
+    refused(script.replace("freeze", "move linear 0 NULL -0.1"), "fix move linear", "NULL")
+    for change, word in (("vel constant 0 0 -1", "insert/pack"), ("start 500", "insert/pack")):
+        refused(BASE.replace("all_in", f"{change} all_in").replace(RUN, "fix stop all freeze\n" + RUN), word, "at rest")
+    refused(BASE.replace(RUN, "fix push all move linear 0 0 1\n" + RUN), "fix move", "driven yes")
     lattice = ONE.replace("create_atoms 1 single 0 0 0.01 units box",
                           "lattice sc 0.002\nregion in block -0.004 0.004 "
                           "-0.004 0.004 0.01 0.02 units box\ncreate_atoms 1 region in")
     scene, _ = translate(lattice)
     assert len(column(run(), "position")) == 5*5*6 and 'file "scene_particles.csv"' in scene
     data = "data\n\n2 atoms\n1 atom types\n-0.01 0.01 xlo xhi\n-0.01 0.01 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n\n" \
-        "7 1 1e-3 2500 0 0 0.01\n9 1 2e-3 2500 0 0 0.02\n\nVelocities\n\n9 0 0 -1 0 0 5\n"
+        "7 1 1e-3 2500 0 0 0.01\n9 1 2e-3 2500 0 0 0.02\n\nVelocities\n\n7 0 0 0 0 0 0\n9 0 0 -1 0 0 5\n"
     script = ONE[:ONE.index("region box")] + "read_data grains.data\n" + ONE[ONE.index(
         "fix m1") :ONE.index("create_atoms")] + "fix move all nve/sphere\nrun 1000\n"
     has(translate(script, grains__data=data)[
         0], "ids (7 9); velocities ((0 0 0) (0 0 -1)); spins ((0 0 0) (0 0 5));")
+    for name, cut, found, told in (("Atoms", data.replace("2 atoms", "3 atoms"), 2, 3),
+                                   ("Velocities", data.replace("7 0 0 0 0 0 0\n", ""), 1, 2)):
+        refused(script, f"section {name} has {found} particles, and the head of the file says {told}", grains__data=cut)
     refused(ONE.replace("set group all diameter", "set group all charge"), "set charge",
             "known: diameter")
     refused(BASE.replace("run 1000", "run 10\nset group all diameter 2e-3\nrun 10"),
@@ -915,6 +932,7 @@ def domain_and_output():
         "boundary m m m", "boundary p f m").replace(
             "run", "thermo_modify lost ignore\nrun"))
     has(scene, "x (-0.01 0.01); y (-0.01 0.01); periodic (x); leaving remove;")
+    refused(BASE.replace("boundary m m m", "boundary m ms fm"), "boundary fm", "the two sides of this axis differ")
     has(translate(BASE.replace("newton off", "dimension 2").replace(
         "particles_in_region 100", "particles_in_region 1"))[0], "z (0 0.05); flat (z);")
     scene, report = translate(
@@ -1018,6 +1036,10 @@ def command():
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
         "ITEM: ATOMS id type x y z vx vy vz radius\n5 1 0.1 0.2 0.3 1 2 3 0.01\n")
     assert call("dump.txt").returncode == 0
+    whole = (folder/"dump.txt").read_text()
+    (folder/"dump.cut").write_text(whole.replace("ATOMS\n1\n", "ATOMS\n2\n"))
+    done = call("dump.cut")
+    assert done.returncode == 1 and "has 1 particles, and the head of the file says 2" in done.stderr, done.stderr
     assert (folder/"dump.csv").read_text().splitlines()[1] == "0.1,0.2,0.3,0.02,1,2,3,0,0,0,5"
     for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"),
                             (("-units", "lj", "dump.txt"), "-units lj"), ((), "give one file"),
@@ -1061,7 +1083,8 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
 TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls,
-         missing_files, names, belt, other_meanings, lost_output, series, changes, restart_files,
+         missing_files, names, belt, other_meanings, lost_output, series, changes,
+         groups, restart_files,
          insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, stored, conduction]
 
