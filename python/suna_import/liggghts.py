@@ -44,7 +44,7 @@ HARMLESS = {
     "comm_modify": "",
     "comm_style": "",
     "processors": "-np of mpirun decides",
-    "partition": "",
+    "partition": "another partition",
     "partitioner_style": "",
     "balance": "",
     "modify_timing": "",

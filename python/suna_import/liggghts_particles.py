@@ -61,7 +61,7 @@ def write_table(path, x, diameter, v, w, id, temperature=None):
     if temperature is not None:
         columns = numpy.column_stack([columns, temperature])
         names.insert(-1, "temperature")
-    with open(path, "w") as file:
+    with open(path, "w", newline="\r\n") as file:
         file.write(",".join(names) + "\n")
         for row, number in zip(columns, id):
             file.write(",".join(f"{value:.12g}" for value in row) + f",{int(number)}\n")

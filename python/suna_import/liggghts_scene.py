@@ -12,6 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
 import os
+import shlex
 
 import numpy
 
@@ -197,8 +198,7 @@ def write_scenes(translation, output, report):
         snapshot = f"{os.path.basename(name)}/snapshot.dem"
     report.raise_refused()
     for name, restart, scene in made:
-        command = "dem run " + (f"-restart {restart} " if restart else "") + \
-            os.path.relpath(name + ".dem")
+        command = shlex.join(["dem", "run", *(["-restart", restart] if restart else []), os.path.relpath(name + ".dem")])
         head = [f"// {os.path.basename(name)}.dem, translated from "
                 f"{os.path.relpath(translation.path)} by dem import.",
                 f"// Run where this was made: {command}", *report.comment()]

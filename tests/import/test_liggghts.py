@@ -147,7 +147,9 @@ def control_flow():
 variable n index 5e6 6e6
 variable name string "a b"
 if "${n} == 5e6 && 1 > 0" then "include more" else "bad command"
-timestep ${dt}
+partition yes 1 timestep ${dt}
+partition no 1*2 timestep 1
+partition yes 2* timestep 1
 variable k loop 3
 label again
 variable total equal $k*100
@@ -1026,6 +1028,8 @@ def command():
         return subprocess.run([DEM, "import", *words], cwd=folder, capture_output=True, text=True)
     done = call("in.cup", "-report", "lines.csv")
     assert done.returncode == 0 and "dem run cup.dem" in done.stdout, done.stderr
+    text = (folder/"lines.csv").read_bytes()
+    assert text.count(b"\r\n") == text.count(b"\n") > 0
     rows = list(csv.reader((folder/"lines.csv").open()))
     assert rows[0] == ["file", "line", "word", "kind", "text"] and ["in.cup", str(
         line_of(BASE, "fix down"))] in [row[:2] for row in rows if row[3] == TRANSLATED]
@@ -1037,10 +1041,17 @@ def command():
         "ITEM: ATOMS id type x y z vx vy vz radius\n5 1 0.1 0.2 0.3 1 2 3 0.01\n")
     assert call("dump.txt").returncode == 0
     whole = (folder/"dump.txt").read_text()
+    (folder/"two types").write_text(whole.replace("ATOMS\n1\n", "ATOMS\n2\n") + "6 2 0.1 0.2 0.4 1 2 3 0.01\n")
+    assert 'type1 { type table; material NAME; file "two types_type1.csv"; } type2 { type table; material NAME; file ' \
+        '"two types_type2.csv"; } }' in call("two types").stdout
+    (folder/"out").mkdir(exist_ok=True)
+    (folder/"in.a cup").write_text(BASE)
+    done = call("-o", "out", "in.a cup")
+    assert "dem run 'out/a cup.dem'" in done.stdout and "dem run 'out/a cup.dem'" in (folder/"out"/"a cup.dem").read_text()
     (folder/"dump.cut").write_text(whole.replace("ATOMS\n1\n", "ATOMS\n2\n"))
     done = call("dump.cut")
     assert done.returncode == 1 and "has 1 particles, and the head of the file says 2" in done.stderr, done.stderr
-    assert (folder/"dump.csv").read_text().splitlines()[1] == "0.1,0.2,0.3,0.02,1,2,3,0,0,0,5"
+    assert (folder/"dump.csv").read_bytes().splitlines(True)[1] == b"0.1,0.2,0.3,0.02,1,2,3,0,0,0,5\r\n"
     for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"),
                             (("-units", "lj", "dump.txt"), "-units lj"), ((), "give one file"),
                             (("-what", "x"), 'unknown option "-what"')):
