@@ -81,8 +81,8 @@ class Atoms:
 
     def do_group(self, words):
         name, style = words[0], words[1]
-        p, placed = self.particles, self.placed()
-        known = not placed
+        p, placed = self.particles, [i for i in self.placed() if i.group != name]
+        known, before = not placed, numpy.isin(self.particles.id, self.groups.get(name, ()))
         if style == "id":
             chosen, asked = numpy.zeros(len(p), bool), 0
             for word in words[2:]:
@@ -101,15 +101,16 @@ class Atoms:
             chosen, known = numpy.zeros(len(p), bool), True
         elif style in ("union", "intersect", "subtract"):
             known = not self.unknown & set(words[2:]) and "all" not in words[2:]
-            chosen = self.chosen(words[2])
+            chosen = self.chosen(words[2]) | (before if style == "subtract" else False)
             for other in map(self.chosen, words[3:]):
                 chosen = chosen | other if style == "union" else \
                     chosen & other if style == "intersect" else chosen & ~other
         else:
             self.refuse("known: id, type, region, union, intersect, subtract, empty",
                         f"group {style}")
-        self.groups[name] = p.id[chosen]
-        (self.unknown.add if placed and not known else self.unknown.discard)(name)
+        self.groups[name] = p.id[chosen if style == "subtract" else chosen | before]    # it adds to a group of this name
+        if placed and not known:
+            self.unknown.add(name)
         self.translated("particles that are there")
 
     def chosen(self, group):

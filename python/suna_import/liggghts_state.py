@@ -129,7 +129,7 @@ def key(state):
     return said, *(state[name] for name in ("boundary", "lost", "flat", "frozen", "integrated", "driven"))
 
 
-@dataclass
+@dataclass(eq=False)
 class Stage:
     """Between the beginning and the end of one `run`."""
     start: float

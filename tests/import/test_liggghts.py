@@ -690,6 +690,11 @@ def groups():
     many = ONE.replace("set group", "create_atoms 1 single 0 0 0.02 units box\n"*5 + "set group")
     has(translate(many.replace(RUN, f"group some id 1:5:2 6\nfix x some addforce 0 0 1\n{RUN}"))[0],
         "x { ids (1 3 5 6);")
+    has(translate(many.replace(RUN, f"group some id 1\ngroup some id 3\nfix x some addforce 0 0 1\n{RUN}"))[0],
+        "x { ids (1 3);")         # a second line adds to the group
+    own = BASE.replace("fix ins all", "group own empty\nfix ins own").replace("fix move all", "fix move own")
+    translate(own.replace(RUN, f"run 10\ngroup own region box\nunfix move\nfix move own nve/sphere\n{RUN}"))
+    translate(two.replace(RUN, "run 0\nrun 0\n"))
     # made after a run: which of the inserted particles are in it is not known
     for group in ("type 1", "region box", "id 1:10", "subtract all none"):
         for fix in ("freeze", "addforce 0 0 1e-3", "move linear 0 0 1"):
