@@ -7,6 +7,7 @@
 #include "demCloud.H"
 #include "demCheck.H"
 #include "demColumns.H"
+#include "StringStream.H"
 
 // The particles' part of evolve()
 void Foam::demCloud::advance(const demFlow& flow)
@@ -90,6 +91,51 @@ void Foam::demCloud::reportMomentum(const vector& ofMesh, const vector& moreOwed
 }
 
 
+Foam::string Foam::demCloud::divergence() const
+{
+    const scalar limit = 100;
+    const volVectorField* U = mesh_.findObject<volVectorField>("U");
+
+    if (!U || particles_.interval() > 0)
+    {
+        return string::null;
+    }
+    const scalarField speed(mag(U->primitiveField()));
+    const scalarField crossed(speed*mesh_.time().deltaTValue()/cbrt(mesh_.V().field()));
+    const scalar most = gMax(crossed);
+
+    if (most <= limit)
+    {
+        return string::null;
+    }
+    // The first rank with this cell; not a number is larger than all
+    const label celli = findMax(crossed);
+    const bool here = celli >= 0 && !(crossed[celli] < most);
+    const label rank =
+        returnReduce(here ? UPstream::myProcNo() : labelMax, minOp<label>());
+    List<scalarList> found(UPstream::nProcs());
+
+    if (rank == UPstream::myProcNo())
+    {
+        const vector& at = mesh_.C()[celli];
+        found[rank] = scalarList({speed[celli], at.x(), at.y(), at.z()});
+    }
+    Pstream::gatherList(found);
+    Pstream::scatterList(found);
+    const scalarList& worst = found[min(rank, found.size() - 1)];
+    OStringStream os;
+
+    if (worst.size())
+    {
+        os  << "; the fluid has diverged, with " << worst[0] << " m/s at ("
+            << worst[1] << ' ' << worst[2] << ' ' << worst[3] << ") m, " << most
+            << " cells in a time step: look at its schemes, boundary conditions and mesh there,"
+            << " and go on from an earlier time";
+    }
+    return os.str();
+}
+
+
 void Foam::demCloud::fail(const string& sentence)
 {
     string also;
@@ -98,7 +144,11 @@ void Foam::demCloud::fail(const string& sentence)
     if (dem_ranks_agree(particles_.core()))
     {
         reports_.reportLosses();
-        also = lastGood_.save([this] { write(); });
+        also = divergence();
+        if (also.empty())
+        {
+            also = lastGood_.save([this] { write(); });
+        }
     }
 
     FatalErrorInFunction << sentence.c_str() << also.c_str() << exit(FatalError);

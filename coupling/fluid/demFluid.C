@@ -9,6 +9,8 @@
 #include "demDict.H"
 #include "fvOptionList.H"
 #include "uniformDimensionedFields.H"
+#include "cyclicPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "HashSet.H"
 #include "turbulenceModel.H"
 
@@ -228,6 +230,57 @@ Foam::tmp<Foam::volScalarField> Foam::demFluid::density() const
         mesh_,
         dimensionedScalar("rho", dimDensity, uniformDensity(mesh_, dict_.coupling()))
     );
+}
+
+
+Foam::vector Foam::demFluid::alongPeriods(const fvMesh& mesh, const vector& g)
+{
+    DynamicList<vector> periods;
+    vector along(Zero);
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<cyclicPolyPatch>(patch) || isA<processorCyclicPolyPatch>(patch))
+        {
+            periods.append(refCast<const coupledPolyPatch>(patch).separation());
+        }
+    }
+    // The longest one that is left gives the next axis, the same on all ranks
+    for (label axis = 0; axis < 3; ++axis)
+    {
+        vector longest(Zero);
+        for (const vector& period : periods)
+        {
+            longest = maxMagSqrOp<vector>()(longest, period);
+        }
+        reduce(longest, maxMagSqrOp<vector>());
+        if (mag(longest) < 1e-6*mesh.bounds().mag())
+        {
+            break;
+        }
+        longest /= mag(longest);
+        along += (g & longest)*longest;
+        for (vector& period : periods)
+        {
+            period -= (period & longest)*longest;
+        }
+    }
+    return mag(along) > 1e-9*mag(g) ? along : vector(Zero);
+}
+
+
+void Foam::demFluid::checkGravity(const fvMesh& mesh, const vector& g)
+{
+    const vector along(alongPeriods(mesh, g));
+
+    if (mesh.foundObject<volScalarField>("p_rgh") && mag(along) > 0)
+    {
+        FatalErrorInFunction
+            << "constant/g has the part " << along << " m/s2 along cyclic patches, but p_rgh"
+            << " of this solver has no weight along them, and it would lose fluid where the"
+            << " density changes; use demInterFoam or demPimpleFoam, or walls instead of"
+            << " cyclic patches" << exit(FatalError);
+    }
 }
 
 

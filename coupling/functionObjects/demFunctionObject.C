@@ -194,6 +194,8 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
         stop_.reset(new demStop(time_));
     }
 
+    demFluid::checkGravity(mesh_, driver_().cloud().particles().gravity());
+
     // One-way, only a solver that takes sources has a list of them
     const bool twoWay = driver_().cloud().particles().twoWay();
     const fv::options* sources =

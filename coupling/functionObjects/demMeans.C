@@ -166,6 +166,12 @@ bool Foam::functionObjects::demMeans::read(const dictionary& dict)
 
 bool Foam::functionObjects::demMeans::execute()
 {
+    // A few written times are no means of the run, which stay as they are
+    if (postProcess)
+    {
+        return true;
+    }
+
     // Fields may be constructed after this object
     for (label i = series_.size(); i < fields_.size(); i++)
     {

@@ -15,11 +15,37 @@
 #include "OStringStream.H"
 #include "DynamicList.H"
 #include "Time.H"
+#include <cstdio>
+#include <cstdlib>
 
 namespace Foam
 {
 
 // Each entry is preceded by its line, so that messages of the core can name it
+// The fewest digits with which its numbers arrive with the same bits
+static int digitsOf(const entry& e)
+{
+    int digits = 15;
+
+    for (const token& t : e.stream())
+    {
+        char text[32];
+
+        digits = t.isCompound() ? 17 : digits;
+        while
+        (
+            t.isScalar() && digits < 17
+         && (std::snprintf(text, sizeof text, "%.*g", digits, double(t.scalarToken())),
+             std::strtod(text, nullptr) != double(t.scalarToken()))
+        )
+        {
+            ++digits;
+        }
+    }
+    return digits;
+}
+
+
 static void writeEntries(const dictionary& dict, OStringStream& os)
 {
     forAllConstIters(dict, iter)
@@ -42,6 +68,7 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
         }
         else
         {
+            os.precision(digitsOf(e));
             e.write(os);
         }
     }
@@ -319,7 +346,6 @@ std::string Foam::demDict::text() const
     scene.add("coupling", coupling);
 
     OStringStream os;
-    os.precision(17);           // doubles arrive with the same bits
     writeEntries(scene, os);
     return os.str();
 }

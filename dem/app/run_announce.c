@@ -42,6 +42,24 @@ static void announce_gravity(const struct dem_schedule *s)
     }
 }
 
+/* Steps end at each output and row. */
+static void announce_short_interval(const struct dem_schedule *s, double step)
+{
+    const char *const entry[] = {"interval", "walls", "cell", "energy"};
+    const double of[] = {s->interval < s->end ? s->interval : INFINITY, s->output.walls, s->output.cell, s->output.energy};
+    int least = 0;
+
+    for (int k = 1; k < 4; k++)
+    {
+        least = of[k] > 0.0 && of[k] < of[least] ? k : least;
+    }
+    if (of[least] < step*(1.0 - 1e-9))
+    {
+        printf("write/%s %g s is shorter than the step, and all steps end there: %.3g times as many steps as with %.4g "
+               "s or more\n", entry[least], of[least], step/of[least], step);
+    }
+}
+
 /* What is likely to be a mistake, as a list; nothing to run, nothing to warn of. */
 static int warn(const struct dem_program *prog, struct dem *d, double duration)
 {
@@ -73,6 +91,7 @@ int dem_run_announce(const struct dem_program *prog, struct dem *d, const struct
         printf("Suna: %s, %d walls, %d rank%s\nstep %.4g s, limit %.4g s: %s\n",
                dem_progress_particles(&t, particles), dem_wall_count(d), prog->ranks, prog->ranks > 1 ? "s" : "",
                step.used, step.limit, step.why);
+        announce_short_interval(s, step.used);
         announce_gravity(s);
         if (dem_fluid_effect_names(d)[0])
         {

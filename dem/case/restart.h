@@ -28,6 +28,9 @@ int dem_sim_insert_new_groups(struct dem_case *);
    on from where they stood. */
 int dem_sim_resume_walls(struct dem_case *);
 
+/* 1: wall k goes on from the snapshot; 0: it is new, or has another form. */
+int dem_sim_wall_goes_on(const struct dem_case *, int k);
+
 /* Append the lines of a snapshot's scene text that hold compound motions at a time [s]. */
 void dem_sim_describe_motions(const struct dem_walls *, double time, struct dem_text *);
 

@@ -54,6 +54,13 @@ static int is_same_wall(const struct dem_case *c, const struct dem_wall *of,
                                          : dem_walls_same_form(form, was->form, triangles));
 }
 
+int dem_sim_wall_goes_on(const struct dem_case *c, int k)
+{
+    const struct dem_wall *const of = &c->d->state.walls.wall[k];
+
+    return is_same_wall(c, of, find_wall(&c->d->before, k, of->name), 0);
+}
+
 /* ---- compound motions ------------------------------------------------------------------------ */
 
 /* A line of the scene's text for each wall with a compound motion; words of 16 hexadecimal digits: the

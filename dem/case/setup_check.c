@@ -96,8 +96,13 @@ static int check_wall_speeds(const struct dem *d, double radius)
 
 static int choose_step(struct dem *d)
 {
-    const struct dem_interaction_table *const r = &d->state.interaction_table;
+    struct dem_interaction_table *const r = &d->state.interaction_table;
 
+    if (dem_sim_max_radius(d) == 0.0 && d->scene.step == 0.0 && d->state.steps > 0)
+    {
+        /* a restart after all particles have left */
+        dem_interaction_table_limit_step(r, d->state.time/(double)d->state.steps, "mean step of the snapshot", "");
+    }
     d->step = d->state.max_dt = d->scene.step > 0.0 ? d->scene.step : r->step_limit;
     DEM_REQUIRE(d->scene.step <= r->step_limit || d->scene.force, DEM_ERROR_INPUT,
                 "time step %g s exceeds %.3g s (%s); use at most that, a softer material, or "

@@ -4,6 +4,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/dem_case.h"
+#include "case/restart.h"
 #include "core/error.h"
 #include "ranks/collect.h"
 #include "records/totals.h"
@@ -119,12 +120,34 @@ int dem_sim_check_inserted(struct dem_case *c)
     return DEM_OK;
 }
 
+/* A wall that is new at a restart, or has another form, where particles are. */
+static int refuse_new_walls(const struct dem_case *c)
+{
+    const struct dem *const d = c->d;
+    const struct dem_overlap *const wall = &d->start_wall;
+    const double limit = fmax(d->scene.max_start_overlap, 2.0*d->start_pair.fraction);
+
+    DEM_REQUIRE(wall->fraction <= limit || dem_sim_wall_goes_on(c, (int)wall->partner), DEM_ERROR_INPUT,
+                "wall %s is new in the scene of the restart, or has another form or place, and overlaps particle %lld at "
+                "(%g %g %g) m by %.3g of a diameter, the limit is %.3g; move the wall",
+                d->state.walls.wall[wall->partner].name, (long long)wall->id, wall->x[0], wall->x[1], wall->x[2],
+                wall->fraction, limit);
+    return DEM_OK;
+}
+
 int dem_sim_check_start(struct dem_case *c)
 {
-    if (!c->new_run || c->d->state.walls.walls == 0)
+    const int walls = c->d->state.walls.walls;
+    int others = c->new_run ? walls : 0;
+
+    for (int k = 0; c->load_path[0] && k < walls; k++)
+    {
+        others += !dem_sim_wall_goes_on(c, k);
+    }
+    if (others == 0)
     {
         return DEM_OK;
     }
     DEM_TRY(dem_sim_with_lists(c->d, measure_overlap));
-    return refuse_other_walls(c);
+    return c->new_run ? refuse_other_walls(c) : refuse_new_walls(c);
 }

@@ -74,7 +74,7 @@ int dem_sim_find_radii(struct dem *d)
     for (int m = 0; m < DEM_MATERIALS; m++)
     {
         state->interaction_table.min_radius[m] = min[m] < DBL_MAX ? min[m] : 0.0;
-        state->interaction_table.max_radius[m] = -min[DEM_MATERIALS + m];
+        state->interaction_table.max_radius[m] = 0.0 - min[DEM_MATERIALS + m];    /* not -0 */
         state->interaction_table.body_volume[m] =
             min[2*DEM_MATERIALS + m] < DBL_MAX ? min[2*DEM_MATERIALS + m] : 0.0;
     }

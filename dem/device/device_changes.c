@@ -20,6 +20,7 @@ static int put_places(struct dem_device *d, const struct dem_state *state, const
     const struct dem_particles *const p = &state->particles;
     size_t at = 0;
 
+    d->entered = 0;
     DEM_TRY(DEM_GROW(d->word, d->words, p->n + 1));
     for (size_t i = 0; i < p->n; i++)
     {
@@ -31,6 +32,7 @@ static int put_places(struct dem_device *d, const struct dem_state *state, const
         }
         d->word[i] = k < n ? (uint32_t)k : UINT32_MAX;
         at = k < n ? k + 1 : n;    /* new ones are behind all others */
+        d->entered = k < n ? (uint32_t)i + 1 : d->entered;
     }
     d->renumbered = 1;
     return dem_opencl_put(d->cl, &d->former_place, p->n*sizeof *d->word, d->word);
@@ -82,6 +84,8 @@ int dem_device_check(struct dem_device *d, struct dem_state *state,
     state->time = state->window.start + (double)next.first*state->dt;
     int status = steps->enter_or_leave(state, changes);
 
+    *end = *changes && state->decomposition.ranks > 1;
+    *changes &= !*end;
     status = status || !*changes ? status : change(d, state, steps);
     state->steps = number;
     state->time = time;

@@ -29,7 +29,7 @@ enum dem_device_list_kernel
 {
     DEM_LISTS_IMAGES, DEM_LISTS_CELLS, DEM_LISTS_ORDER, DEM_LISTS_COUNT, DEM_LISTS_FIND,
     DEM_LISTS_ROWS, DEM_LISTS_ENTRIES, DEM_LISTS_HISTORY, DEM_LISTS_DISPLACEMENT, DEM_LISTS_REFER,
-    DEM_SCAN_CLEAR, DEM_SCAN_BLOCKS, DEM_SCAN_SUMS, DEM_SCAN_FINISH, DEM_LISTS_TOTALS,
+    DEM_SCAN_CLEAR, DEM_SCAN_BLOCKS, DEM_SCAN_SUMS, DEM_SCAN_FINISH, DEM_LISTS_TOTALS, DEM_LISTS_NEEDED,
     DEM_LISTS_KERNELS
 };
 
@@ -47,8 +47,9 @@ struct dem_device
     struct dem_opencl_memory axes, shift, facets, frames, drives, pair_class, wall_class;
     struct dem_opencl_memory triangles, grid_first, grid, images;
     struct dem_opencl_memory batch, report;
-    /* of several ranks: particles that are sent, ghosts that are received, their numbers */
-    struct dem_opencl_memory ghosts_out, ghosts_in, ghosts;
+    /* of several ranks: particles that are sent, ghosts that are received, their numbers; ghosts in rows */
+    struct dem_opencl_memory ghosts_out, ghosts_in, ghosts, needed;
+    enum dem_halo_set ghost_set;        /* that is on the device */
     /* of particles, and a copy from before the batch */
     struct dem_opencl_memory record, lost, columns, before_record, before_lost, before_columns;
     /* of rows: the present lists and those before; results of a step; a copy */
@@ -60,7 +61,7 @@ struct dem_device
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates, former_place;
 
-    int makes_lists;                    /* 1: the device makes lists, too */
+    uint32_t entered;                   /* the first particle that enters before the next step */
     int renumbered;                     /* 1: particles have other places since the present lists: former_place */
     int own;                            /* 1: the present lists are made here, not on the host */
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */
@@ -70,7 +71,6 @@ struct dem_device
                                            follows another one doubles them */
     double last_speed;                  /* m/s  largest of the last drift */
     double min_skin, max_skin;          /* m */
-    int list_steps;                     /* steps that lists are to last */
     struct dem_device_counts counts;
     struct dem_device_report seen;
     struct dem_device_frame *frame;     /* of the steps of a batch */
@@ -79,6 +79,23 @@ struct dem_device
     uint32_t *word;                     /* scratch */
     size_t speeds, words;
 };
+
+struct dem_device_progress    /* of the steps of an advance */
+{
+    double moved;           /* m  displacement since the lists were made, at most */
+    double skin;            /* m  of the device's lists; 0: they are the host's */
+    double rest;            /* m  displacement up to which they are valid, with the walls where they were */
+    double before;          /* m  displacements from the host's last rebuild to the present lists */
+    double walls_before;    /* m  the same of walls */
+    int64_t checked;        /*    the last step with a check of particles that enter or leave, of those made */
+};
+
+/* device_renewal.c, collective. New lists for the next step: always (changed: particles have entered or left), or
+   if more than half of the displacement is used up. *end: 1 when the host has to make this step. */
+int dem_device_new_lists(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
+                         struct dem_device_progress *, int changed, int *end);
+int dem_device_renew_lists(struct dem_device *, struct dem_state *, const struct dem_device_steps *,
+                           struct dem_device_progress *, int *end);
 
 /* device_open.c: skin [m] of the next lists, for particles of up to this speed [m/s]. */
 double dem_device_skin(const struct dem_device *, double speed, double dt);
@@ -149,13 +166,16 @@ int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint3
 int dem_device_add_sums(struct dem_device *, struct dem_state *);
 int dem_device_has_wall_work(const struct dem_state *);
 
-/* device_ghosts.c, with several ranks. put: which particles are sent and received with new lists. send: the
+/* device_ghosts.c, with several ranks. put: which particles are sent and received. send: the
    particles of step s to other ranks; all ranks agree on errors and on the largest speed^2 [m2/s2], infinite
-   after an event. receive: the ghosts to the device. */
-int dem_device_put_ghosts(struct dem_device *, const struct dem_halo *);
+   after an event. receive: the ghosts to the device. Both: of the set that was put last. Collective, for new
+   lists: all ghosts are put and refreshed; then those in the new rows are put. */
+int dem_device_put_ghosts(struct dem_device *, const struct dem_halo *, enum dem_halo_set);
 int dem_device_send_ghosts(struct dem_device *, struct dem_state *, uint32_t s, int status,
                            double *fastest);
 int dem_device_receive_ghosts(struct dem_device *, const struct dem_state *);
+int dem_device_refresh_ghosts(struct dem_device *, struct dem_state *);
+int dem_device_select_ghosts(struct dem_device *, struct dem_state *);
 
 /* All memory in turn, for k from 0; NULL past the last. */
 struct dem_opencl_memory *dem_device_memory_of(struct dem_device *, size_t k);

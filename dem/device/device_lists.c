@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "device/device_internal.h"
-#include "sources/flows.h"
 #include <math.h>
 #include <string.h>
 
@@ -31,19 +30,13 @@ static int put_drives(struct dem_device *d, const struct dem_walls *w)
     return DEM_OK;
 }
 
-/* 1: particles enter, and the kernel of particles turns them or advances their eddies in the step in
-   which they do, which the host does not. */
-static int turns_new_particles(const struct dem_state *state)
-{
-    return state->flows->n > 0 && state->flows->plan->streams > 0 &&
-           (dem_column(&state->particles, DEM_COLUMN_ORIENTATION) ||
-            dem_column(&state->particles, DEM_COLUMN_EDDY));
-}
-
 int dem_device_begin_lists(struct dem_device *d, const struct dem_state *state)
 {
-    d->makes_lists = state->decomposition.ranks == 1 && !turns_new_particles(state) &&
-                     state->particles.n < UINT32_MAX/(size_t)d->classes;
+    const size_t most = UINT32_MAX/(size_t)d->classes;
+
+    DEM_REQUIRE(state->particles.n < most, DEM_ERROR_MEMORY,
+                "a rank has %zu particles, and lists on a device hold %zu; give more ranks",
+                state->particles.n, most);
     DEM_TRY(dem_device_begin_facets(d, &state->walls));
     DEM_TRY(put_drives(d, &state->walls));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lists, sizeof(struct dem_device_lists)));
@@ -88,7 +81,7 @@ static uint32_t choose_cells(const struct dem_state *state, double extent[3][2],
         }
         edge *= 1.2;
     }
-    while (count > 4.0*(double)state->particles.n + 64.0);
+    while (count > 4.0*(double)(state->particles.n + state->particles.ghosts) + 64.0);
     return (uint32_t)count;
 }
 
@@ -156,6 +149,7 @@ static struct dem_device_lists constants_of(const struct dem_device *d,
         l.grid_cells[k] = state->pairs.wall_search.cells[k];
     }
     l.particles = (uint32_t)state->particles.n;
+    l.all = (uint32_t)(state->particles.n + state->particles.ghosts);
     l.frames = state->walls.frames;
     while ((int)l.facets < state->walls.facets &&
            state->walls.facet[l.facets].shape != DEM_SHAPE_TRIANGLES)
@@ -279,7 +273,7 @@ int dem_device_make_lists(struct dem_device *d, const struct dem_state *state, d
 
     DEM_TRY(dem_opencl_write(d->cl, &d->lists, 0, sizeof l, &l));
     DEM_TRY(dem_opencl_write(d->cl, &d->largest, 0, sizeof left, &left));
-    DEM_TRY(sort_particles(d, l.particles, cells));
+    DEM_TRY(sort_particles(d, l.all, cells));
     DEM_TRY(dem_device_find_candidates(d, state));
     DEM_TRY(count(d, state, list));
     DEM_TRY(dem_opencl_read(d->cl, &d->largest, 0, sizeof left, &left));
@@ -319,7 +313,6 @@ int dem_device_refer(struct dem_device *d, const struct dem_state *state)
     struct dem_opencl_kernel *const k = d->of_lists[DEM_LISTS_REFER];
     const size_t n = state->particles.n;
 
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*n*sizeof(double)));
     DEM_TRY(dem_opencl_give_number(d->cl, k, 0, (uint32_t)n));
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, k, 1, &d->record, &d->reference));
     return dem_opencl_launch(d->cl, k, n);

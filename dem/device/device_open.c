@@ -20,9 +20,7 @@
 enum
 {
     BED_ROWS = 8,      /* pairs a particle in a dense bed of equal spheres, with usual skins */
-    /* steps that lists last at the present largest speed, if skins allow */
-    LIST_STEPS = 64,            /* lists of the device */
-    LIST_STEPS_OF_HOST = 256    /* lists of the host, for several ranks: they cost more */
+    LIST_STEPS = 64    /* steps that lists last at the present largest speed, if skins allow */
 };
 
 /* ---- open and close ---------------------------------------------------------------------------- */
@@ -32,7 +30,7 @@ static int find_kernels(struct dem_device *d)
     static const char *const lists[DEM_LISTS_KERNELS] = {
         "lists_images", "lists_cells", "lists_order", "lists_count", "lists_find", "lists_rows",
         "lists_entries", "lists_history", "lists_displacement", "lists_refer", "scan_clear",
-        "scan_blocks", "scan_sums", "scan_finish", "lists_totals"};
+        "scan_blocks", "scan_sums", "scan_finish", "lists_totals", "lists_needed"};
 
     for (int k = 0; k < d->classes; k++)
     {
@@ -99,14 +97,13 @@ static void choose_skins(struct dem_device *d, struct dem_state *state)
     d->min_skin = outer;
     /* with wider ones small particles would have too many partners */
     d->max_skin = fmax(outer, fmin(max, 4.0*dem_device_smallest_radius(&state->interaction_table)));
-    d->list_steps = state->decomposition.ranks > 1 ? LIST_STEPS_OF_HOST : LIST_STEPS;
     dem_skins_init(s, (const double[2]){outer, outer}, 0, outer, d->max_skin);
     dem_request_rebuild(state);
 }
 
 double dem_device_skin(const struct dem_device *d, double speed, double dt)
 {
-    return fmin(fmax(d->min_skin, 2.0*d->list_steps*speed*dt), d->max_skin);
+    return fmin(fmax(d->min_skin, 2.0*LIST_STEPS*speed*dt), d->max_skin);
 }
 
 void dem_device_set_skins(struct dem_state *state, double speed)
@@ -117,9 +114,10 @@ void dem_device_set_skins(struct dem_state *state, double speed)
     state->pairs.skins.skin[DEM_LIST_OUTER] = state->pairs.skins.skin[DEM_LIST_INNER] = skin;
 }
 
-int dem_device_makes_lists(const struct dem_device *d)
+/* A particle may cross half of it before the host has to find new ones. */
+double dem_device_ghost_reach(const struct dem_state *state)
 {
-    return d->makes_lists;
+    return 2.0*state->pairs.max_radius + state->pairs.skins.skin[DEM_LIST_OUTER];
 }
 
 void dem_device_count(const struct dem_device *d, struct dem_device_counts *c)
@@ -178,7 +176,7 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
     struct dem_device_rows *const a = &d->list[0], *const b = &d->list[1];
     struct dem_opencl_memory *const all[] = {
         &d->axes, &d->shift, &d->facets, &d->frames, &d->drives, &d->pair_class, &d->wall_class,
-        &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->triangles,
+        &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->needed, &d->triangles,
         &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
         &d->rates, &d->applied, &d->ids,
         &d->candidate_start, &d->candidates, &a->near, &b->near,

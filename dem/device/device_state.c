@@ -97,7 +97,7 @@ static int put_lists(struct dem_device *d, const struct dem_state *state)
         return DEM_OK;
     }
     DEM_TRY(d->selections != state->wall_store.selections ? dem_device_put_facets(d, state) : DEM_OK);
-    DEM_TRY(dem_device_put_ghosts(d, &state->halo));
+    DEM_TRY(dem_device_put_ghosts(d, &state->halo, DEM_HALO_NEEDED));
     DEM_TRY(put_partners(d, state));
     DEM_TRY(put_entries(d, state));
     DEM_TRY(dem_device_put_near(d, state));
@@ -162,7 +162,7 @@ int dem_device_put_particles(struct dem_device *d, const struct dem_state *state
 
     DEM_TRY(dem_opencl_reserve(d->cl, &d->record, records));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_record, records));
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*n*sizeof(double)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*all*sizeof(double)));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->columns, columns));
@@ -222,7 +222,7 @@ static struct dem_contact_key key_of(const struct dem_state *state, const uint32
 {
     const struct dem_particle *const record = state->particles.record,
                               *const i = &record[partners[0]];
-    struct dem_contact_key key = {.low = i->id, .counted = 1};
+    struct dem_contact_key key = {.low = i->id, .counted = partners[0] < state->particles.n};
 
     if (wall)
     {
@@ -303,10 +303,10 @@ static int get_saved(struct dem_device *d, struct dem_state *state)
 
 int dem_device_get_particles(struct dem_device *d, struct dem_state *state)
 {
-    const size_t n = state->particles.n;
+    const size_t n = state->particles.n, all = n + state->particles.ghosts;
     double *const lost = dem_column(&state->particles, DEM_COLUMN_LOST_ENERGY);
 
-    DEM_TRY(dem_opencl_read(d->cl, &d->record, 0, n*sizeof *state->particles.record,
+    DEM_TRY(dem_opencl_read(d->cl, &d->record, 0, all*sizeof *state->particles.record,
                             state->particles.record));
     DEM_TRY(dem_device_get_columns(d->cl, &d->columns, &state->particles));
     return lost ? dem_opencl_read(d->cl, &d->lost, 0, n*sizeof *lost, lost) : DEM_OK;

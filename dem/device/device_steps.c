@@ -6,14 +6,15 @@
  * a report. A step of which the lists might miss a contact is left out by the kernels themselves, and so
  * are all after it. Then displacements are measured, and lists are made anew if they are used up.
  *
- * With several ranks the host makes the lists, with ghosts, and in each step exchanges the data of ghosts
- * and all ranks make the same steps (device_ghosts.c).
+ * With several ranks the host exchanges the data of ghosts in each step, and all ranks make the same steps
+ * (device_ghosts.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "device/device_steps.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "core/vec.h"
 #include "device/device_columns.h"
 #include "device/device_internal.h"
 #include "ranks/agree.h"
@@ -93,17 +94,9 @@ static int copy_state(struct dem_device *d, const struct dem_state *state, int b
     return DEM_OK;
 }
 
-struct progress    /* of the steps of an advance */
-{
-    double moved;    /* m  displacement since the lists were made, at most */
-    double skin;     /* m  of the device's lists; 0: they are the host's */
-    double rest;     /* m  displacement up to which they are valid, with the walls where they were */
-    int64_t checked; /*    the last step with a check of particles that enter or leave, of those made */
-};
-
 static struct dem_device_batch batch_of(const struct dem_device *d, const struct dem_state *state,
                                         const struct dem_device_steps *steps,
-                                        const struct progress *p)
+                                        const struct dem_device_progress *p)
 {
     return (struct dem_device_batch){
         .dt = state->dt,
@@ -123,7 +116,8 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .particles = (uint32_t)state->particles.n,
         .stride = d->list[d->at].rows,
         .column = (uint32_t)(state->particles.n + state->particles.ghosts),
-        .walls = d->list[d->at].walls};
+        .walls = d->list[d->at].walls,
+        .entered = d->entered};
 }
 
 /* The steps of a batch, which the kernels leave out themselves when lists are used up. *made: how many. */
@@ -167,7 +161,7 @@ static int make_together(struct dem_device *d, struct dem_state *state,
 
 /* What a batch needs on the device, and a copy of the state before it. */
 static int begin_batch(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
-                       struct dem_device_batch *batch, const struct progress *p, uint32_t *n)
+                       struct dem_device_batch *batch, const struct dem_device_progress *p, uint32_t *n)
 {
     DEM_TRY(dem_device_move_walls(d, state, steps, batch, n, p->skin,
                                   dem_device_has_wall_work(state)));
@@ -186,7 +180,7 @@ static int begin_batch(struct dem_device *d, struct dem_state *state, const stru
 
 /* A batch of up to *n steps; *made: how many. Its report is in d->seen. */
 static int make_batch(struct dem_device *d, struct dem_state *state,
-                      const struct dem_device_steps *steps, struct progress *p, uint32_t *n,
+                      const struct dem_device_steps *steps, struct dem_device_progress *p, uint32_t *n,
                       uint32_t *made)
 {
     struct dem_device_batch batch = batch_of(d, state, steps, p);
@@ -205,7 +199,7 @@ static int make_batch(struct dem_device *d, struct dem_state *state,
 /* The speeds of a batch. Returns 1 when a drift between two steps was too fast for the device. The
    last drift of all is checked by the host, which has its positions then. */
 static int add_speeds(struct dem_device *d, const struct dem_device_steps *steps, uint32_t made,
-                      double dt, struct progress *p)
+                      double dt, struct dem_device_progress *p)
 {
     int fast = made > 0 && steps->made > 0 && !(d->last_speed <= steps->max_speed);
 
@@ -223,7 +217,7 @@ static int add_speeds(struct dem_device *d, const struct dem_device_steps *steps
 /* Steps of the next batch, whose first one has this number: as many as the lists are likely to allow,
    none behind a check. */
 static uint32_t batch_size(const struct dem_device *d, const struct dem_device_steps *steps,
-                           const struct progress *p, double dt, int64_t first)
+                           const struct dem_device_progress *p, double dt, int64_t first)
 {
     const double rest = fmax(p->rest - p->moved, 0.0),
                  likely = d->last_speed > 0.0 ? 1.05*rest/(d->last_speed*dt) + 2.0
@@ -237,7 +231,7 @@ static uint32_t batch_size(const struct dem_device *d, const struct dem_device_s
 
 /* One batch. *end: 1 when the host has to go on, from the state before the batch. */
 static int advance_batch(struct dem_device *d, struct dem_state *state,
-                         struct dem_device_steps *steps, struct progress *p, int *end)
+                         struct dem_device_steps *steps, struct dem_device_progress *p, int *end)
 {
     const uint32_t wanted = batch_size(d, steps, p, state->dt, state->steps + steps->made);
     uint32_t n = wanted, made;
@@ -258,65 +252,20 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
     }
     DEM_TRY(dem_agree(state, dem_device_add_sums(d, state)));
     d->wait = made > 0 ? 0 : d->wait;
+    d->entered = made > 0 ? UINT32_MAX : d->entered;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
     state->limits.overlap = fmax(state->limits.overlap, (double)d->seen.overlap);
     return DEM_OK;
 }
 
-/* New lists for the next step. changed: particles have entered or left, and images are kept already. *end: 1 when
-   the host has to make this step. */
-static int make_lists(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
-                      struct progress *p, int changed, int *end)
-{
-    struct dem_device_batch next = batch_of(d, state, steps, p);
-    uint32_t one = 1;
-
-    p->skin = dem_device_skin(d, d->last_speed, state->dt);
-    /* to the position of the next step, whose lists these are */
-    DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
-    *end = one == 0;
-    if (*end)
-    {
-        return DEM_OK;
-    }
-    DEM_TRY(changed ? DEM_OK : dem_device_keep_images(d));
-    if (state->walls.periodic)
-    {
-        DEM_TRY(dem_device_wrap_walls(d, state));
-        DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, p->skin, 0));
-    }
-    for (enum dem_list l = 0; l < DEM_LISTS; l++)
-    {
-        dem_walls_reset_marks(&state->walls, l);
-    }
-    DEM_TRY(dem_device_make_lists(d, state, p->skin, end));
-    p->moved = 0.0;
-    p->rest = 0.5*p->skin;
-    return DEM_OK;
-}
-
-/* The lists may be used up: measure, and make new ones, or let the host, if more than half of the displacement
-   is. */
-static int renew_lists(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps,
-                       struct progress *p, int *end)
-{
-    const int status = dem_device_displacement(d, state, &p->moved);
-
-    DEM_TRY(dem_agree_max(state, status, &p->moved, 1));
-    if (p->moved <= 0.5*p->rest)
-    {
-        return DEM_OK;
-    }
-    *end = !d->makes_lists;
-    return d->makes_lists ? make_lists(d, state, steps, p, 0, end) : DEM_OK;
-}
-
 /* Steps and lists, until all are made or the host has to go on. */
 static int make_steps(struct dem_device *d, struct dem_state *state,
                       struct dem_device_steps *steps)
 {
-    struct progress p = {.rest = steps->rest(state)};
+    const struct dem_displacement *const since = &state->pairs.displacement[DEM_LIST_OUTER];
+    struct dem_device_progress p = {.rest = steps->rest(state),
+                                    .before = since->spread + sqrt(dem_vec_dot(since->centre, since->centre))};
     int end = 0;
 
     while (!end && steps->made < steps->most)
@@ -332,7 +281,7 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
         }
         if (changed)
         {
-            DEM_TRY(make_lists(d, state, steps, &p, 1, &end));
+            DEM_TRY(dem_device_new_lists(d, state, steps, &p, 1, &end));
         }
         else if (!end && p.moved <= p.rest)
         {
@@ -341,7 +290,7 @@ static int make_steps(struct dem_device *d, struct dem_state *state,
         if (!end && !changed && steps->made < steps->most &&
             (p.moved > p.rest || steps->made == before))
         {
-            DEM_TRY(renew_lists(d, state, steps, &p, &end));
+            DEM_TRY(dem_device_renew_lists(d, state, steps, &p, &end));
         }
     }
     return DEM_OK;
@@ -354,6 +303,7 @@ int dem_device_waits(const struct dem_state *state)
 
 static int begin_advance(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps)
 {
+    d->entered = UINT32_MAX;
     DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
     DEM_TRY(dem_device_put(d, state));
     return dem_device_refer(d, state);

@@ -37,8 +37,8 @@ double dem_device_memory(const struct dem_state *);
 /* The skins of the next lists, for particles of up to this speed [m/s]. */
 void dem_device_set_skins(struct dem_state *, double speed);
 
-/* 1: the device makes lists itself, so that it begins with any. */
-int dem_device_makes_lists(const struct dem_device *);
+/* How much further [m] ghosts and triangles are held, for lists that the device makes. */
+double dem_device_ghost_reach(const struct dem_state *);
 
 /* 1: the host has to make this step, up to an event or some steps after it. */
 int dem_device_waits(const struct dem_state *);
@@ -62,7 +62,7 @@ struct dem_device_steps
     /* particles may enter or leave in steps whose number in the run is a multiple of this; 0: never.
        Then the first function is called, with the records of the step on the host, and the second one
        if particles do, with all that belongs to them. Particles that stay keep their order, and new
-       ones follow. Not for a device that does not make lists. */
+       ones follow. With several ranks the host makes such a step. */
     int64_t check;
     int (*enter_or_leave)(struct dem_state *, int *changes);
     int (*change)(struct dem_state *);

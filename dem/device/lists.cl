@@ -2,6 +2,9 @@
  * lists.cl -- new neighbor lists on the device: pairs within the outer skin, the entries that each
  * particle sums, and the history of the pairs that stay.
  *
+ * With several ranks the host finds ghosts, for many lists (device_steps.c). They have no list; a pair with one
+ * is in the row of the owned particle.
+ *
  * Particles are wrapped and counted into the cells of their level: those of about one size, and cells
  * as wide as the longest reach of a pair of them. Each particle looks at the cells of all levels within
  * its reach, across periodic faces with the shift of the image. It lists its partners by id, then by
@@ -106,7 +109,7 @@ kernel void lists_cells(constant struct dem_device_lists *l, global double4 *res
 {
     const uint i = get_global_id(0);
 
-    if (i >= l->particles)
+    if (i >= l->all)
     {
         return;
     }
@@ -134,7 +137,7 @@ kernel void lists_cells(constant struct dem_device_lists *l, global double4 *res
                 image = dem_image_add(image, k, 1);
             }
         }
-        if (!(x[k] >= l->min[k] && x[k] <= l->max[k]))
+        if (i < l->particles && !(x[k] >= l->min[k] && x[k] <= l->max[k]))
         {
             *outside = 1;
         }
@@ -153,7 +156,7 @@ kernel void lists_order(constant struct dem_device_lists *l, global const uint *
 {
     const uint i = get_global_id(0);
 
-    if (i < l->particles)
+    if (i < l->all)
     {
         order[first[cell[i]] + place[i]] = i;
     }
@@ -200,6 +203,12 @@ static void dem_sort_partners(global const double4 *restrict record, global uint
     }
 }
 
+/* The class of a pair, the one with the lower id first. */
+static uint dem_class_of(constant struct dem_device_lists *l, global const int *classes, ulong low, ulong high)
+{
+    return (uint)classes[dem_material(low)*l->materials + dem_material(high)];
+}
+
 /* A partner that may be near: counted in its class if the row is this particle's, and appended to
    the list unless that is NULL. Returns 1 if it is one. */
 static uint dem_try_partner(constant struct dem_device_lists *l,
@@ -226,9 +235,9 @@ static uint dem_try_partner(constant struct dem_device_lists *l,
 
         list[n] = j | code << SHIFT_BITS;
     }
-    else if (first)
+    else if (first || j >= l->particles)
     {
-        rows[(size_t)classes[dem_material(bits_i)*l->materials + dem_material(bits_j)]*l->particles +
+        rows[(size_t)dem_class_of(l, classes, first ? bits_i : bits_j, first ? bits_j : bits_i)*l->particles +
              i]++;
     }
     return 1;
@@ -414,23 +423,24 @@ kernel void lists_rows(constant struct dem_device_lists *l, global const double4
 
     for (uint e = i < l->particles ? start[i] : 0; i < l->particles && e < start[i + 1]; e++)
     {
-        const uint j = list[e] & ((1u << SHIFT_BITS) - 1),
-                   material = dem_material(dem_bits(record, i));
-        const int wall = list[e] >> SHIFT_BITS == FACET;
+        const uint j = list[e] & ((1u << SHIFT_BITS) - 1), code = list[e] >> SHIFT_BITS;
+        const ulong bits = dem_bits(record, i);
+        const int wall = code == FACET, low = wall || dem_id(record, i) < dem_id(record, j);
 
-        if (wall || dem_id(record, i) < dem_id(record, j))
+        if (low || j >= l->particles)
         {
-            const int c = wall ? wall_classes[j*l->materials + material]
-                               : classes[material*l->materials + dem_material(dem_bits(record, j))];
+            const uint c = wall  ? (uint)wall_classes[j*l->materials + dem_material(bits)]
+                           : low ? dem_class_of(l, classes, bits, dem_bits(record, j))
+                                 : dem_class_of(l, classes, dem_bits(record, j), bits);
             const uint row = next[(size_t)c*l->particles + i]++;
 
-            partners[row] = (uint2)(i, wall ? j : list[e]);
-            entry[e] = 2*row;
+            partners[row] = low ? (uint2)(i, wall ? j : list[e]) : (uint2)(j, i | code << SHIFT_BITS);
+            entry[e] = 2*row + !low;
         }
     }
 }
 
-/* The entries of the partners with higher ids: found in the list of the other. */
+/* The entries of owned partners with higher ids: found in the list of the other. */
 kernel void lists_entries(constant struct dem_device_lists *l,
                           global const double4 *restrict record, global const uint *restrict start,
                           global const uint *restrict list, global uint *entry)
@@ -441,7 +451,7 @@ kernel void lists_entries(constant struct dem_device_lists *l,
     {
         const uint j = list[e] & ((1u << SHIFT_BITS) - 1), code = list[e] >> SHIFT_BITS;
 
-        if (code != FACET && dem_id(record, j) < dem_id(record, i))
+        if (code != FACET && j < l->particles && dem_id(record, j) < dem_id(record, i))
         {
             const uint mine = i | code << SHIFT_BITS;
             uint at = start[j], end = start[j + 1];
@@ -480,28 +490,28 @@ kernel void lists_history(constant struct dem_device_lists *l,
     {
         const uint j = list[e] & ((1u << SHIFT_BITS) - 1), code = list[e] >> SHIFT_BITS,
                    row = entry[e] >> 1;
-        const int wall = code == FACET;
+        const int wall = code == FACET, ghost = !wall && j >= l->particles, side = entry[e] & 1;
         const uint former_i = l->renumbered ? former_place[i] : i,
                    former_j = l->renumbered && !wall ? former_place[j] : j,
                    first = former_i == UINT_MAX ? 0 : old_start[former_i],
                    end = former_i == UINT_MAX ? 0 : old_start[former_i + 1];
         uint former = UINT_MAX;
 
-        if (entry[e] & 1)
+        if (side && !ghost)
         {
             continue;
         }
         const ulong bits = dem_bits(record, i);
-        const uint image =
-            wall ? dem_image_of_row(bits, j, facets, images, near, row - l->walls)
-                 : dem_image_of_pair((int)code, dem_image(bits), dem_image(dem_bits(record, j)));
+        const uint own = dem_image(bits), its = wall ? 0 : dem_image(dem_bits(record, j)),
+                   image = wall ? dem_image_of_row(bits, j, facets, images, near, row - l->walls)
+                                : dem_image_of_pair((int)code, side ? its : own, side ? own : its);
 
         for (uint k = 0; k < end - first && former == UINT_MAX; k++)
         {
             const uint o = first + (next + k)%(end - first), r = old_entry[o] >> 1;
-            const uint other = old_partners[r].y & ((1u << SHIFT_BITS) - 1);
+            const uint other = side ? old_partners[r].x : old_partners[r].y & ((1u << SHIFT_BITS) - 1);
 
-            if (!(old_entry[o] & 1) && (r >= l->old_walls) == wall && other == former_j &&
+            if ((int)(old_entry[o] & 1) == side && (r >= l->old_walls) == wall && other == former_j &&
                 old_image[r] == image)
             {
                 former = r;
@@ -561,5 +571,22 @@ kernel void lists_totals(uint particles, uint classes, global const uint *restri
     if (c == 0)
     {
         totals[classes + 1] = start[particles];
+    }
+}
+
+/* The ghosts in rows of pairs, from the particle number `owned` on. */
+kernel void lists_needed(uint rows, uint owned, global const uint2 *restrict partners,
+                         global uint *restrict needed)
+{
+    const uint row = get_global_id(0);
+
+    if (row < rows)
+    {
+        const uint i = partners[row].x, j = partners[row].y & ((1u << SHIFT_BITS) - 1);
+
+        if (i >= owned || j >= owned)
+        {
+            needed[(i >= owned ? i : j) - owned] = 1;
+        }
     }
 }

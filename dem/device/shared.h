@@ -118,7 +118,8 @@ struct dem_device_lists
     int levels, periodic[3], grid_cells[3];
     int frames;                             /*    of walls */
     uint32_t walls;                         /*    the first row of a wall */
-    uint32_t particles, facets, materials, columns;
+    uint32_t particles, all;                /*    owned ones; and ghosts */
+    uint32_t facets, materials, columns;
     uint32_t stride, old_stride, old_walls; /*    rows; rows before, the first one of a wall */
     int renumbered;                         /* 1: particles have other places than in the lists before */
     int keep_all;                           /* 1: laws act past touching */
@@ -150,6 +151,7 @@ struct dem_device_batch
     uint32_t particles, stride;             /*    owned ones; stride: rows of a history column */
     uint32_t column;                        /*    particles of a column, with ghosts */
     uint32_t walls;                         /*    the first row of a wall */
+    uint32_t entered;                       /*    the first particle that enters in the first step */
     uint32_t frames;                        /*    of moving walls, for each step */
     uint32_t applied;                       /*    forces of the scene */
     uint32_t copies;                        /*    of each exact sum: a power of two */

@@ -240,7 +240,7 @@ int dem_wall_move(struct dem *, const char *name, int64_t n, const double *trian
 /* Collective; each rank gives the same list. Add, remove or change particles between two advances. The
    energy balance has what that supplies as its item `edited`. After an error the run is as before,
    unless memory has run out. Refused in coupled runs, and after an advance that was stopped, until
-   the rest of it has been made.
+   another step has been made.
 
    dem_add_particles: an id below 0 becomes the next free one; another one has to be above all ids
    that the run has had. `id`, if not NULL, gets the ids. The run has a particle of the same material

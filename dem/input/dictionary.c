@@ -124,7 +124,7 @@ int dem_dict_require(const struct dem_dict *d, const char *name, const char *uni
     {
         found->used = true;
         *e = found;
-        return DEM_OK;
+        return dem_dict_check_dimensions(found, unit);
     }
     explain_absence(d, name, hint, sizeof hint);
     return dem_error(DEM_ERROR_INPUT, "%s: %s%sneeds %s%s%s%s%s", dem_dict_where(d),

@@ -149,6 +149,12 @@ static int refuse_entry(const struct dem_entry *e)
     char head[128];
     const int n = snprintf(head, sizeof head, "unknown entry \"%s\"", e->name);
 
+    for (size_t k = 0; k < q->count; k++)
+    {
+        DEM_REQUIRE(strcmp(q->names[k], e->name) != 0, DEM_ERROR_INPUT,
+                    "%s: entry \"%s\"%s%s has no effect with the other entries there; remove it", dem_entry_where(e),
+                    e->name, *path ? " of " : "", path);
+    }
     if (q->count > 0)
     {
         (void)dem_did_you_mean_error("entry", e->name, q->names, (int)q->count);

@@ -145,6 +145,8 @@ bool dem_dict_take_vector(struct dem_cursor *c, double value[3]);
 bool dem_dict_take_word(struct dem_cursor *c, const char **word);
 /* [0 1 -1 0 0 0 0], maybe with a name in front */
 void dem_dict_skip_dimensions(struct dem_cursor *c);
+/* refuses those that differ from the unit of the entry */
+int dem_dict_check_dimensions(const struct dem_entry *e, const char *unit);
 
 /* The scanner: text to tokens. */
 struct dem_scan

@@ -11,12 +11,28 @@
 #include "contacts/contacts.h"
 #include "particles/particles.h"
 
+/* the coupling window: the steps of one advance */
+struct dem_window
+{
+    /* s  length */
+    double length;
+    /* s  time at its start */
+    double start;
+    /* steps of the run before it; steps of it */
+    int64_t steps_before, steps;
+    /* 1: stopped within it; velocities are half a step ahead */
+    int half_step_ahead;
+    /* value of the stop request at the stop, maximum of ranks */
+    int stopped;
+};
+
 struct dem_backup
 {
     int64_t every;                   /* steps between copies within a window; 0: none */
     int valid;                       /* 1: there is a copy */
     int64_t steps;                   /* number of steps at the copy */
-    double time;                     /* s, of the copy */
+    double time, dt;                 /* s, of the copy; the last time step */
+    struct dem_window window;        /* of the copy; velocities are half a step ahead if it is open */
     struct dem_particles particles;  /* owned particles only */
     struct dem_contacts history;     /* saved history only: no pairs, no rows */
 };

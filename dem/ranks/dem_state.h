@@ -62,21 +62,6 @@ struct dem_unagreed
     char text[DEM_ERROR_TEXT_SIZE];
 };
 
-/* the coupling window: the steps of one advance */
-struct dem_window
-{
-    /* s  length */
-    double length;
-    /* s  time at its start */
-    double start;
-    /* steps of the run before it; steps of it */
-    int64_t steps_before, steps;
-    /* 1: stopped within it; velocities are half a step ahead */
-    int half_step_ahead;
-    /* value of the stop request at the stop, maximum of ranks */
-    int stopped;
-};
-
 /* the drift of the next step, made within the last one where nothing needed the state between */
 struct dem_next_drift
 {

@@ -212,6 +212,7 @@ int dem_halo_build(struct dem_halo *h, int status, struct dem_particles *p,
                    const struct dem_domain *d, double max_radius, double reach)
 {
     p->ghosts = 0;
+    h->reach = reach;
     if (h->decomposition->ranks == 1)
     {
         return status;

@@ -40,6 +40,7 @@ struct dem_halo_route
 struct dem_halo
 {
     struct dem_decomposition *decomposition;
+    double reach;                         /* m  past touching, of the present ghosts */
     double clump_reach;                   /* m  how far owned spheres of clumps may lie outside the
                                              subdomain (particles/clump.h) */
     struct dem_messages out, in;
@@ -92,10 +93,12 @@ int dem_halo_build(struct dem_halo *, int status, struct dem_particles *, const 
 /* After dem_halo_build: the memory of the next function. */
 int dem_halo_reserve_needed(struct dem_halo *, const struct dem_particles *);
 
-/* Collective, after a prune: select the ghosts that are needed in each step.
-   Does not allocate. An error of MPI is recorded (collect.h) and returned by the next agreement. */
+/* Collective, after a prune: select the ghosts that are needed in each step: those with contact rows, or
+   those that are marked in needed_here. Neither allocates. An error of MPI is recorded (collect.h) and
+   returned by the next agreement. */
 void dem_halo_select_needed(struct dem_halo *, const struct dem_particles *,
                             const struct dem_contacts *);
+void dem_halo_select_marked(struct dem_halo *);
 
 /* Begin to send positions, velocities, spins and the columns ghost_step for the ghosts on other
    ranks; does not allocate. One of the two functions below must complete it before any other call of

@@ -127,6 +127,11 @@ void dem_halo_select_needed(struct dem_halo *h, const struct dem_particles *p,
         return;
     }
     mark_needed(h, p, c);
+    dem_halo_select_marked(h);
+}
+
+void dem_halo_select_marked(struct dem_halo *h)
+{
     exchange_needed(h);
     copy_needed(&h->send[DEM_HALO_NEEDED], &h->send[DEM_HALO_ALL], h->send_ranks,
                 h->needed_there);

@@ -110,6 +110,7 @@ static int open_file(struct dem_parallel_file *s, const struct dem_file_ranks *b
 
         bad = on_any_rank(s, MPI_File_open(by->comm, name, mode, MPI_INFO_NULL, &s->file) !=
                                  MPI_SUCCESS);
+        errno = bad && !s->writing && access(name, R_OK) != 0 ? errno : 0;    /* MPI leaves another one */
         if (!bad && s->writing)
         {
             bad = on_any_rank(s, MPI_File_set_size(s->file, 0) != MPI_SUCCESS);

@@ -286,7 +286,10 @@ void dem_energy_balance_after_effect(struct dem_state *state, const struct dem_c
         {
             const int broke = effect->stage == DEM_STAGE_BOND && b->broke[c] > s->then.broke[c];
 
-            dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_ELASTIC], l->sums_elastic ? s->energy.stored[c] : 0.0);
+            /* bonds that break in the sweep before the first step hold their energy until then */
+            const double held = broke && !l->begun ? s->energy.lost[c] : 0.0;
+
+            dem_energy_balance_add(&sum[DEM_ENERGY_BALANCE_ELASTIC], l->sums_elastic ? s->energy.stored[c] + held : 0.0);
             dem_energy_balance_add(broke ? &l->sum[DEM_ENERGY_BALANCE_BROKEN] : &sum[DEM_ENERGY_BALANCE_LOST], l->begun ? s->energy.lost[c] : 0.0);
         }
     }

@@ -266,7 +266,8 @@ int dem_restore(struct dem *d, double *time)
     state->time = *time = state->backup.time;
     state->limits.overlap = 0.0;
     state->lists_state = DEM_NEIGHBORS_NONE;
-    state->window.half_step_ahead = 0;
+    state->window = state->backup.window;
+    state->dt = state->backup.dt;
     dem_cell_restore(state);
     dem_stages_rewind(d);
     (void)dem_walls_come_and_go(&state->walls, state->time);

@@ -31,8 +31,9 @@ int dem_edit_check_state(const struct dem *d, const char *call)
                 "%s: the periodic cell deforms, and velocities are relative to it; make the edit before "
                 "it does", call);
     DEM_REQUIRE(!w->half_step_ahead, DEM_ERROR_STATE,
-                "%s: the last advance was stopped before its end; advance by the rest of it, %.17g "
-                "s, first", call, w->start + w->length - d->state.time);
+                "%s: the last advance was stopped, with velocities half a step ahead of positions; before this call "
+                "advance by a step, %.9g s, or by the rest of it, %.17g s", call, d->state.dt,
+                w->start + w->length - d->state.time);
     return DEM_OK;
 }
 

@@ -69,7 +69,7 @@ int64_t dem_quiet_tests(const struct dem *d, const struct dem_quiet *q, double i
         return (int64_t)fmax(1.0, fmin(0x1p53, ceil(5.0*interval/q->lasting)));
     }
     (void)dem_gravity_acceleration(d, g);
-    const double fall = sqrt(2.0*radius/dem_vec_norm(g));
+    const double fall = radius > 0.0 ? sqrt(2.0*radius/dem_vec_norm(g)) : interval;
 
     return (int64_t)exp2(fmax(0.0, fmin(30.0, rint(log2(interval/fall)))));
 }

@@ -356,4 +356,5 @@ void dem_flows_restore(struct dem_flows *f)
     f->arrivals = f->departures = 0;
     f->now = f->left = 0;
     f->checked = 0;
+    f->found = 0;
 }

@@ -10,6 +10,7 @@
 #include "step/neighbor_rebuild.h"
 #include "contacts/wall_rows.h"
 #include "core/memory.h"
+#include "device/device_steps.h"
 #include "particles/uniform_fluid.h"
 #include "ranks/agree.h"
 #include "ranks/collect.h"
@@ -293,14 +294,15 @@ static void count_lists(struct dem_state *state)
     dem_skins_count(&state->pairs.skins, counted);
 }
 
-/* Collective. The triangles that the particles of this rank may reach, and their grid. */
-static int hold_triangles(struct dem_state *state, int status)
+/* Collective. The triangles that the particles of this rank may reach (reach [m]: past touching), and
+   their grid. */
+static int hold_triangles(struct dem_state *state, int status, double reach)
 {
     struct dem_wall_search *const s = &state->pairs.wall_search;
     int changed;
 
     status = dem_wall_store_select(&state->wall_store, status, &state->walls, &state->particles,
-                                   state->pairs.max_radius + state->pairs.outer, &changed);
+                                   state->pairs.max_radius + reach, &changed);
     return status || !changed ? status : dem_wall_search_prepare(s, &state->walls, s->radius);
 }
 
@@ -309,12 +311,14 @@ static int hold_triangles(struct dem_state *state, int status)
 static int build_lists(struct dem_state *state, int status)
 {
     dem_pairs_use_chosen_skin(&state->pairs);
+    const double reach = state->pairs.outer + (state->device ? dem_device_ghost_reach(state) : 0.0);
+
     dem_walls_wrap(&state->walls);
-    status = hold_triangles(state, status);
+    status = hold_triangles(state, status, reach);
     status = status ? status : dem_pairs_order(&state->pairs, &state->particles);
     status = status || !dem_column(&state->particles, DEM_COLUMN_CLUMP) ? status : dem_index_clumps(state);
     status = dem_halo_build(&state->halo, status, &state->particles, &state->domain,
-                            state->pairs.max_radius, state->pairs.outer);
+                            state->pairs.max_radius, reach);
     status = status ? status
                     : dem_pairs_find(&state->pairs, &state->domain, &state->particles,
                                      &state->walls, &state->interaction_table, &state->contacts);

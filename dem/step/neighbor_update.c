@@ -126,6 +126,12 @@ static int add_displacements(struct dem_pairs *s, const double *moved, int n)
 
 int dem_neighbor_check_particles(struct dem_state *state, int *changes)
 {
+    *changes = state->flows->found;
+    if (state->flows->found)
+    {
+        state->flows->found = 0;
+        return DEM_OK;
+    }
     state->flows->now = dem_flows_due(state);
     if (state->flows->now || (state->domain.remove && dem_neighbor_removal_is_due(state)))
     {

@@ -87,6 +87,8 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
     dem_wall_bodies_backup(&state->walls);
     backup->time = state->time;
     backup->steps = state->steps;
+    backup->dt = state->dt;
+    backup->window = state->window;
     if (half_kick)
     {
         kick_copy(state, *half_kick);
@@ -96,11 +98,5 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
 
 int dem_step_backup(struct dem_state *state)
 {
-    if (state->window.half_step_ahead)
-    {
-        state->backup.steps = state->backup.valid ? state->backup.steps
-                                                  : state->steps - state->backup.every;
-        return DEM_OK;
-    }
     return dem_step_backup_ahead(state, DEM_OK, NULL);
 }

@@ -9,8 +9,7 @@
 #include "step/sweep_bodies.h"
 
 /* Collective. Copy the present state into the backup, unless it holds a number that is not a
-   number; then the previous backup stays. In an open window, in which velocities are ahead, the
-   next step makes the backup if there is none. */
+   number; then the previous backup stays. */
 int dem_step_backup(struct dem_state *);
 
 /* Collective, in a step before its kick, with the status of this rank. Velocities are half a kick

@@ -40,13 +40,6 @@ static int64_t check_steps(const struct dem_state *state)
     return (state->flows->n > 0 && !state->flows->asked) || state->domain.remove ? DEM_FLOW_STEPS : 0;
 }
 
-/* 1 when the host has to let particles enter or leave in this step. */
-static int changes_particles(const struct dem_state *state, int64_t step)
-{
-    return !dem_device_makes_lists(state->device) && check_steps(state) > 0 &&
-           (state->window.steps_before + step)%check_steps(state) == 0;
-}
-
 static void end_check(struct dem_state *state)
 {
     if (dem_flows_due(state))
@@ -64,6 +57,8 @@ static int enter_or_leave(struct dem_state *state, int *changes)
     {
         end_check(state);
     }
+    /* with several ranks some change their owner, too */
+    state->flows->found = *changes && state->decomposition.ranks > 1;
     return DEM_OK;
 }
 
@@ -78,8 +73,7 @@ static int64_t count_steps(const struct dem_state *state, int64_t first)
 {
     int64_t n = 0;
 
-    while (n < MOST_STEPS && !is_read(state, first + n) &&
-           (n == 0 || !changes_particles(state, first + n)))
+    while (n < MOST_STEPS && !is_read(state, first + n))
     {
         n++;
     }
@@ -99,14 +93,6 @@ static double rest_of_list(const struct dem_state *state, enum dem_list list)
 static double rest_of_lists(const struct dem_state *state)
 {
     return fmin(rest_of_list(state, DEM_LIST_OUTER), rest_of_list(state, DEM_LIST_INNER));
-}
-
-/* 1: new lists would last longer. */
-static int half_used(const struct dem_state *state)
-{
-    const struct dem_displacement *const d = &state->pairs.displacement[DEM_LIST_OUTER];
-
-    return d->spread > 0.25*d->skin;
 }
 
 /* Between batches of steps: reports progress; ends when a rank has a request to stop. */
@@ -187,17 +173,11 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     dem_device_set_skins(state, max[0]);
     steps.rest = rest_of_lists;
     steps.ends = ends;
-    steps.check = dem_device_makes_lists(state->device) ? check_steps(state) : 0;
+    steps.check = check_steps(state);
     steps.enter_or_leave = enter_or_leave;
     steps.change = change;
     steps.max_displacement = dem_limits_max_wall_displacement(state);
     steps.max_speed = dem_limits_max_speed(state);
-    if (!dem_device_makes_lists(state->device) &&
-        rest_of_lists(state) < FEW_STEPS*max[0]*state->dt)
-    {
-        state->lists_state = half_used(state) ? DEM_NEIGHBORS_REBUILD : DEM_NEIGHBORS_VALID;
-        return DEM_OK;
-    }
     dem_timers_begin_rare_phase(state->timers, DEM_PHASE_REFRESH);
     const int status = dem_device_advance(state, &steps);
 

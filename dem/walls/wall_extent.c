@@ -55,42 +55,98 @@ static void add_turning(const double centre[3], const double about[3], double tu
     }
 }
 
-/* Displacements in a table, which does not leave its rows between them. */
-static void table_travel(const struct dem_time_table *t, int axis, double range[2])
+/* What a column of a table reaches, and 0: it does not leave its rows between them. */
+static void table_range(const struct dem_time_table *t, int column, double range[2])
 {
     range[0] = range[1] = 0.0;
     for (size_t k = 0; k < t->rows; k++)
     {
-        add_to_extent(t->row[k].value[axis], range);
+        add_to_extent(t->row[k].value[column], range);
+    }
+}
+
+static void part_travel(const struct dem_motion_part *p, int axis, double range[2])
+{
+    if (p->table)
+    {
+        table_range(p->table, axis, range);
+    }
+    else
+    {
+        dem_motion_travel(&p->motion, axis, range);
     }
 }
 
 /* Displacements of the parts of a compound along an axis, added up; a rotation about that axis has none. */
 static void compound_travel(const struct dem_compound_motion *c, int axis, double range[2])
 {
-    int any;
-
-    range[0] = range[1] = 0.0;
-    if (c->body || dem_compound_motion_leans(c, axis, &any))
-    {
-        range[0] = -INFINITY;
-        range[1] = INFINITY;
-        return;
-    }
+    range[0] = range[1] = c->body ? INFINITY : 0.0;
+    range[0] = -range[0];
     for (int k = 0; k < c->parts; k++)
     {
         double own[2];
 
-        if (c->part[k].table)
-        {
-            table_travel(c->part[k].table, axis, own);
-        }
-        else
-        {
-            dem_motion_travel(&c->part[k].motion, axis, own);
-        }
+        part_travel(&c->part[k], axis, own);
         range[0] += own[0];
         range[1] += own[1];
+    }
+}
+
+/* Bounds of a box in a rotation from turn[0] to turn[1] [rad]. At each angle its corners are the outermost points. */
+static void turn_box(const double centre[3], const double about[3], const double turn[2], double box[3][2])
+{
+    double from[3][2];
+    int bounded = 1;
+
+    memcpy(from, box, sizeof from);
+    for (int k = 0; k < 3; k++)
+    {
+        bounded &= isfinite(box[k][0]) && isfinite(box[k][1]);
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        box[k][0] = bounded ? box[k][0] : -INFINITY;
+        box[k][1] = bounded ? box[k][1] : INFINITY;
+        for (int corner = 0; bounded && corner < 8; corner++)
+        {
+            const double x[3] = {from[0][corner & 1], from[1][corner >> 1 & 1], from[2][corner >> 2]};
+
+            add_turning(centre, about, turn[0], x, k, box[k]);
+            add_turning(centre, about, turn[1], x, k, box[k]);
+        }
+    }
+}
+
+/* Bounds of a point in motions one after the other, of which some rotate. */
+static void compound_box(const struct dem_compound_motion *c, double box[3][2])
+{
+    static const double round[2] = {0.0, whole};
+
+    for (int k = 0; k < c->parts; k++)
+    {
+        const struct dem_motion *const m = &c->part[k].motion;
+        double turn[2] = {0.0, m->kind == DEM_MOTION_ROTATION && m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0};
+
+        if (c->part[k].table)
+        {
+            table_range(c->part[k].table, 3, turn);
+        }
+        if (turn[0] != 0.0 || turn[1] != 0.0)
+        {
+            turn_box(m->origin, m->axis, turn, box);
+        }
+        for (int a = 0; a < 3; a++)
+        {
+            double own[2];
+
+            part_travel(&c->part[k], a, own);
+            box[a][0] += own[0];
+            box[a][1] += own[1];
+        }
+    }
+    if (c->body)
+    {
+        turn_box(c->body->origin, c->body->axis[0], round, box);
     }
 }
 
@@ -112,16 +168,20 @@ void dem_walls_swept_point(const struct dem_walls *w, int frame, const double x[
         add_turning(m->origin, m->axis, m->omega != 0.0 ? m->omega*dem_motion_duration(m) : 0.0, at, axis, extent);
         return;
     }
-    const struct dem_wall_body *const b = f && f->compound ? f->compound->body : NULL;
+    const struct dem_compound_motion *const c = f ? f->compound : NULL;
+    int any;
 
-    if (b && b->kind == DEM_WALL_BODY_HINGE && f->compound->parts == 0)
+    if (c && (c->body ? c->body->kind == DEM_WALL_BODY_HINGE : dem_compound_motion_leans(c, axis, &any) != NULL))
     {
-        add_turning(b->origin, b->axis[0], whole, at, axis, extent);
+        double box[3][2] = {{at[0], at[0]}, {at[1], at[1]}, {at[2], at[2]}};
+
+        compound_box(c, box);
+        memcpy(extent, box[axis], sizeof box[axis]);
         return;
     }
-    if (f && f->compound)
+    if (c)
     {
-        compound_travel(f->compound, axis, range);
+        compound_travel(c, axis, range);
     }
     else if (f)
     {

@@ -1,7 +1,8 @@
 /*
  * wall_extent.h -- the extent along a coordinate axis that walls reach in their whole motion.
  *
- * The extent is infinite for a wall moved by force, and for several motions with a rotation about another axis.
+ * The extent is infinite for a wall moved by force, but on a hinge; for several motions with a rotation about another
+ * axis it is that of a box around each point, which each rotation turns.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

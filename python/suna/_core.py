@@ -228,8 +228,7 @@ class Core:
         call = ffi.NULL if progress is None else ffi.callback("void(void *, double, int64_t)", report)
         ask = ffi.callback("void(void *, double, struct dem_view *, double *, double *)", add)
         with self.changing() as d, _interrupt() as asked:
-            back = forces and not lib.dem_stopped(d)
-            if back:
+            if forces:
                 check(lib.dem_backup_every(d, 0))
             lib.dem_set_stop_flag(d, asked)
             lib.dem_set_progress(d, every, call, ffi.NULL)
@@ -247,7 +246,7 @@ class Core:
             if self._comm is not None and lib.dem_ranks_agree(d):
                 # it may have been set on one rank in the last step, which the core does not tell others
                 reason = max(self._comm.allgather(reason))
-            if back and (reason == FORCE_RAISED or status and lib.dem_ranks_agree(d)):
+            if forces and (reason == FORCE_RAISED or status and lib.dem_ranks_agree(d)):
                 at = ffi.new("double *")
                 check(lib.dem_restore(d, at))
                 message += f"; the simulation is back at time {at[0]:.9g} s, before this advance"

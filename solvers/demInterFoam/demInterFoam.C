@@ -13,13 +13,14 @@ Description
         d(e (1 - alpha))/dt + div((1 - alpha) F) = 0,    div F = ds/dt
         d(e rho U)/dt + div(rhoPhi U) = - e B + div(e tau) + F_p - K U
 
-        B = grad p_rgh + g.x grad rho - sigma kappa grad alpha
+        B = grad p_rgh + g.x grad rho - rho gc - sigma kappa grad alpha
 
     e       void fraction, 1 - s                                       [1]
     alpha   fraction of phase 1 in the void space                      [1]
     F       volume flux of the fluids (phaseTransport.H, totalFlux.H)
     U       interstitial velocity                                    [m/s]
-    p_rgh   pressure without the hydrostatic part rho g.x             [Pa]
+    p_rgh   pressure without the hydrostatic part rho g.x, with g here without gc [Pa]
+    gc      gravity along the periods of cyclic patches             [m/s2]
     rho, tau  density and stress of the mixture (twoFluids.H)
     F_p, K  explicit part of the particles' reaction, and coefficient of the
             implicit part (demExchange.H)                 [N/m3], [kg/m3/s]
@@ -200,8 +201,8 @@ int main(int argc, char *argv[])
         #include "moveMesh.H"
         if (mesh.moving())
         {
-            gh = (gravity & mesh.C()) - ghRef;
-            ghf = (gravity & mesh.Cf()) - ghRef;
+            gh = (upright & mesh.C()) - ghRef;
+            ghf = (upright & mesh.Cf()) - ghRef;
             fluids.correct();
         }
 
@@ -230,7 +231,7 @@ int main(int argc, char *argv[])
             };
             const demCapillaryForce* onParticles = cloud.exchange().capillary();
             List<fluidBudget::force> known(onParticles ? 4 : 3);
-            known[0] = fluidBudget::force("interfaceGravity", sumOf(fluids.gravity(ghf)));
+            known[0] = fluidBudget::force("interfaceGravity", sumOf(gravityForce()));
             known[1] = fluidBudget::force("interfaceTension", sumOf(fluids.capillarity()));
             known[2] = fluidBudget::force("sources", forceOfSources());
             if (onParticles)
@@ -238,7 +239,7 @@ int main(int argc, char *argv[])
                 known[3] = fluidBudget::force("particleTension", sumOf(-onParticles->onFaces()));
             }
             // rho g z over whole cells, without the void fraction: `height` of the particles
-            // subtracts the buoyancy
+            // subtracts the buoyancy. Along periods it has no potential
             cloud.budget().table().state
             (
                 demBudget::ENERGY,
@@ -247,7 +248,7 @@ int main(int argc, char *argv[])
                 (
                     (
                         mesh.V().field()*rho.primitiveField()
-                       *(gravity.value() & mesh.C().primitiveField())
+                       *(upright.value() & mesh.C().primitiveField())
                     )()
                 )
             );

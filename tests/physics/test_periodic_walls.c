@@ -575,19 +575,38 @@ static void refused(char *walls, const char *sentence)
            dem_error_text());
 }
 
-/* A flap of 0.3 L on a hinge in the middle of the period keeps away from its faces, nearer to one it does not. */
-static void test_flap(void)
+/* A flap from x to x + 0.3 L between periodic faces. */
+static void accepted(double x, const char *motion, const char *what)
 {
-    static const char motion[] = "motion { type hinge; origin (%g 0 0); axis (0 1 0); inertia 1e-7; }";
     const struct dem_new_particle seed = {.position = {0.5*L, 0.0, 0.1}, .diameter = 2.0*R, .material = "g"};
-    struct dem_case *const c = world_begin(scene(down, along_x, flat(0.5*L, 0.8*L, world_text(motion, 0.5*L))));
+    struct dem_case *const c = world_begin(scene(down, along_x, flat(x, x + 0.3*L, motion)));
 
     WORLD_TRY(dem_case_add_particles(c, 1, &seed));
-    TAP_OK(world_status(c) == DEM_OK, "a flap in the middle of the period may turn");
-    refused(flat(0.2*L, 0.5*L, world_text(motion, 0.2*L)), "only a rotation about x is periodic");
-    refused(flat(0.5*L, 0.8*L, world_text("motion ( { type oscillation; amplitude (0.004 0 0); frequency 30; } { type "
-                                          "hinge; origin (0.008 0 0); axis (0 1 0); inertia 1e-7; } );")),
-            "only a rotation about x is periodic");
+    TAP_OK(world_status(c) == DEM_OK, "%s: %s", what, dem_error_text());
+}
+
+/* It keeps away from the faces on a hinge in the middle of the period, and behind or before other motions that are short,
+   or turn little; elsewhere, or with more motion, it does not. */
+static void test_flap(void)
+{
+    static const char hinge[] = "{ type hinge; origin (%g 0 0); axis (0 1 0); inertia 1e-7; }",
+                      swings[] = "motion ( { type oscillation; amplitude (%g 0 0); frequency 30; } %s );",
+                      turns[] = "{ type rotation; origin (0.008 0 0); axis (0 1 0); omega 5; }",
+                      part[] = "motion ( { type rotation; origin (0.004 0 0); axis (0 1 0); omega -1; end %g; } "
+                               "{ type translation; velocity (-0.001 0 0); end 1; } );",
+                      closed[] = "only a rotation about x is periodic";
+    char in_middle[120];
+
+    snprintf(in_middle, sizeof in_middle, hinge, 0.5*L);
+    accepted(0.5*L, world_text("motion %s", in_middle), "a flap in the middle of the period may turn");
+    refused(flat(0.2*L, 0.5*L, world_text("motion { type hinge; origin (%g 0 0); axis (0 1 0); inertia 1e-7; }", 0.2*L)),
+            closed);
+    accepted(0.5*L, world_text(swings, 0.0005, in_middle), "it may swing a little, and turn on a hinge");
+    refused(flat(0.5*L, 0.8*L, world_text(swings, 0.004, in_middle)), closed);
+    accepted(0.5*L, world_text(swings, 0.0005, turns), "it may swing a little, and turn");
+    refused(flat(0.5*L, 0.8*L, world_text(swings, 0.004, turns)), closed);
+    accepted(0.6*L, world_text(part, 0.3), "about another place it may turn by part of a turn, and move on");
+    refused(flat(0.6*L, 0.9*L, world_text(part, 6.0)), closed);
 }
 
 static void test_refusals(void)

@@ -119,7 +119,7 @@ class Fault(Exception):
 
 def callbacks():
     """an exception in progress ends the advance after a step and reaches the caller; the rest has the
-    same bits as without it"""
+    same bits as without it, also after a force that fails"""
     whole = suna.Simulation(SCENE)
     whole.advance(0.01)
     for kind in (Fault, KeyboardInterrupt, SystemExit):
@@ -132,6 +132,17 @@ def callbacks():
         except kind as error:
             assert str(error) == "halt"
         assert 0 < sim.time < 0.01, sim.time
+        before, hash = sim.time, sim.hash
+        for force in (progress, lambda p: p.force.fill(numpy.nan)):
+            sim.add_force(lambda p: force(p, 0) if force is progress else force(p))
+            try:
+                sim.advance(0.005)
+                raise AssertionError("nothing was raised")
+            except (kind, suna.SunaError) as error:
+                assert str(error) == "halt" or "not a number" in str(error) and "before this advance" in str(error), error
+            assert sim.time == before and sim.hash == hash
+            sim.remove_force(sim._forces[0])
+        refused(lambda: sim.remove([0]), "by a step", "or by the rest")
         sim.advance(0.01 - sim.time)
         assert abs(sim.time - 0.01) < 1e-12 and sim.hash == whole.hash
     sim = suna.Simulation(SCENE)

@@ -333,6 +333,8 @@ static void history(void)
         "walls { %s floor { type plane; point (0 0 0); normal (0 0 1); } }"
         "insert { ball { type list; diameter 2e-3; positions ((0 0 1e-3)); } } ";
     static const char *const other[][2] = {{"walls/floor/point", "(0 0 -1e-6)"}};
+    static const char *const moved[][2] = {{"walls/floor/point", "(0 0 5e-4)"}};
+    static const char *const lid[][2] = {{"walls/lid", "{ type plane; point (0 0 1e-3); normal (0 0 -1); }"}};
     char *const before = world_text(slope, "");
     char *const added = world_text(slope, "lid { type plane; point (0 0 1); normal (0 0 -1); } "
                                    "side { type triangles; corners ((9 9 9) (9 8 9) (9 9 8)); }");
@@ -360,6 +362,43 @@ static void history(void)
     d = resume(before, 1, other);
     TAP_OK(says(d, "walls/floor/point was (0 0 0), now (0 0 -1e-6): the wall begins anew"),
            "a wall that is moved by hand begins anew");
+    dem_free(d);
+    TAP_OK(load(&d, before, 1, moved) != 0 && strstr(dem_error_text(), "wall floor is new in the scene of the restart, or "),
+           "moved into the ball it is refused: %s", dem_error_text());
+    TAP_OK(load(&d, before, 1, lid) != 0 && strstr(dem_error_text(), "wall lid is new"), "so is a new one: %s",
+           dem_error_text());
+}
+
+/* A stretched bond between two spheres that turn round each other breaks at once at a lower strength. */
+static void broken_bond(void)
+{
+    static const char pair[] =
+        "materials { glass { density 2500; youngsModulus 1e7; } }"
+        "effects { hertz {} bondLinear { normalStiffness 1e9; shearStiffness 1e9; normalStrength 1e9; } }"
+        "insert { p { type list; diameter 2e-3; positions ((0 0 0) (2e-3 0 0)); velocities ((0 0.5 0) (0 -0.5 0)); } } time { step 1e-6; }";
+    static const char *const weak[][2] = {{"effects/bondLinear/normalStrength", "1"}};
+    struct dem *d = start(pair);
+    struct dem_case *c = world_begin(pair);
+    const struct dem_energy_item *of;
+    double since, broken = 0.0, residual = 1.0;
+    int n;
+
+    world_run(d, 2e-4);
+    WORLD_TRY(dem_save(d, file));
+    dem_free(d);
+    WORLD_TRY(dem_case_set(c, weak[0][0], weak[0][1]));
+    WORLD_TRY(dem_case_load(c, file));
+    WORLD_TRY(dem_case_enable_energy(c));
+    d = world_start(c);
+    world_run(d, 1e-4);
+    WORLD_TRY(dem_energy(d, &since, &n, &of));
+    for (int k = 0; k < n; k++)
+    {
+        broken = strcmp(of[k].name, "broken") == 0 ? of[k].value : broken;
+        residual = strcmp(of[k].name, "residual") == 0 ? of[k].value : residual;
+    }
+    TAP_OK(broken > 1e-8 && fabs(residual) < 1e-2*broken, "a bond that breaks at once had its energy before: %g J, residual "
+           "%g J", broken, residual);
     dem_free(d);
 }
 
@@ -425,6 +464,7 @@ int main(void)
     motions();
     rotation_by_angle();
     history();
+    broken_bond();
     entries();
     remove(file);
     TAP_DONE;

@@ -114,6 +114,29 @@ static void numbers(void)
     dem_dict_free(d);
 }
 
+static void dimensions(void)
+{
+    static const struct
+    {
+        const char *unit, *value;
+    } of[] = {{"W/(m K)", "[1 1 -3 -1 0 0 0]"}, {"J/(kg K)", "[0 2 -2 -1 0]"}, {"Pa s", "[1 -1 -1 0 0 0 0]"},
+              {"1/s", "[0 0 -1 0 0 0 0]"}, {"rad/s", "w [0 0 -1 0 0 0 0]"}, {"1", "[0 0 0 0 0 0 0]"},
+              {"N m s/rad", "[1 2 -1 0 0 0 0]"}, {"m2/s3", "[0 2 -3 0 0 0 0]"}};
+
+    for (size_t k = 0; k < sizeof of/sizeof *of; k++)
+    {
+        char text[64];
+        double x = 0.0;
+
+        snprintf(text, sizeof text, "a %s 3;", of[k].value);
+        struct dem_dict *const d = read_good(text);
+
+        TAP_OK(!dem_dict_number(d, "a", of[k].unit, &x) && x == 3.0, "%s is %s", of[k].value, of[k].unit);
+        TAP_OK(dem_dict_number(d, "a", "kg m2", &x) == DEM_ERROR_INPUT, "... and not kg m2");
+        dem_dict_free(d);
+    }
+}
+
 static void words_and_vectors(void)
 {
     struct dem_dict *d = read_good(scene);
@@ -185,7 +208,7 @@ static void in_order(void)
 {
     struct dem_dict *d = read_good("b 1 (2 x); a { z \"q r\"; }\n\nc 3;");
     const struct dem_entry *e;
-    const struct dem_dict *a;
+    const struct dem_dict *a = NULL;
 
     TAP_OK(dem_dict_count(d) == 3 && !dem_dict_entry(d, 3), "three entries");
     e = dem_dict_entry(d, 0);
@@ -205,6 +228,9 @@ static void in_order(void)
     TAP_OK(dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
                strstr(dem_error_text(), "unknown entry \"z\" in a"),
            "entries taken in a loop count as read, the others are refused: %s", dem_error_text());
+    TAP_OK(a && dem_dict_has(a, "z") && dem_dict_refuse_unread(d) == DEM_ERROR_INPUT &&
+               strstr(dem_error_text(), "entry \"z\" of a has no effect"),
+           "one that is known, but not read: %s", dem_error_text());
     dem_dict_mark_read(d);
     TAP_OK(dem_dict_refuse_unread(d) == DEM_OK, "unless all are accepted");
     dem_dict_free(d);
@@ -377,6 +403,16 @@ static const struct
     {"materials { glass { young 1e7\n density 2500; } }",
      "scene.dem, line 1: materials/glass needs density (kg/m3); it is part of the value of young: "
      "is a ; missing at the end of line 1?"},
+    {"materials { glass { density [0 1 0 0 0 0 0] 2500; } }",
+     "scene.dem, line 1: materials/glass/density is in kg/m3, [1 -3 0 0 0 0 0], and has other dimensions; correct "
+     "them and the value, or leave out [ ... ]"},
+    {"materials { glass { density rho [1 -3 0 0] 2500; } }",
+     "scene.dem, line 1: materials/glass/density is in kg/m3, [1 -3 0 0 0 0 0], and has other dimensions; correct "
+     "them and the value, or leave out [ ... ]"},
+    {"materials { glass { density [kg m^-3] 2500; } }",
+     "scene.dem, line 1: materials/glass/density is in kg/m3, [1 -3 0 0 0 0 0], and has other dimensions; correct "
+     "them and the value, or leave out [ ... ]"},
+    {"materials [1 -3 0 0 0 0 0] 3;", "scene.dem, line 1: materials takes no dimensions; leave out [ ... ]"},
     {"materials { glass { density 2,5; } }",
      "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2,5\""},
     {"materials { glass { density 1e999; } }",
@@ -519,6 +555,7 @@ int main(void)
 {
     TAP_TRAPS;
     numbers();
+    dimensions();
     words_and_vectors();
     lists();
     in_order();

@@ -91,7 +91,7 @@ static const struct dem_setting settings[] = {
         "once at time, always from time on, or once at time for the pairs in bonds"),
     DEM_SETTING(dem_bond_linear, time, "s", 0.0, 0.0, INFINITY,
                 "when make acts"),
-    DEM_SETTING_AS(dem_bond_linear, make_distance, "makeDistance", "1", 1.001, DEM_ABOVE_ZERO, 10.0,
+    DEM_SETTING_AS(dem_bond_linear, make_distance, "makeDistance", "1", 1.001, 0.5, 10.0,
                    "bonds are made up to this distance of the centres over R_i + R_j"),
     DEM_SETTING(dem_bond_linear, probability, "1", 1.0, 0.0, 1.0,
                 "that a pair within makeDistance is bonded"),

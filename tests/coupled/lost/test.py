@@ -106,6 +106,13 @@ case.sub("constant/demProperties", r"velocity \(0 0 1\); }       // id 60", "vel
 fails("in the first step", "its last good state is the one that it started from")
 case.sub("constant/demProperties", r"velocity \(0 0 20\)", "velocity (0 0 1)")
 
+# 50 km/s in a cell: the fluid is to blame, and its state is not good
+inside = case.read("0/U")
+case.sub("0/U", "internalField.*", "internalField uniform (0 0 5e4);")
+fails("a fluid that has diverged", r"; the fluid has diverged, with .* m/s at \(.*\) m, .* cells in a time step: look at its schemes")
+claim("a fluid that has diverged: no state is written", case.times() == [])
+case.write("0/U", inside)
+
 # fluid steps of 4 DEM steps: copies are 25 DEM steps apart
 control(deltaT=0.0001)
 fails("short fluid steps", r"the particles' last good state, of time 0.008[0-9]* s, is in lastGood.dem")

@@ -59,6 +59,11 @@ for name, k in (("U.particles", 0), ("U.particles", 2), ("Theta.particles", 0)):
     claim(f"demMeans has the mean of {name} {k + 1}", close(first[0], mean, 1e-5))          # the probe's six digits
     claim(f"demMeans has the interval of {name} {k + 1}", close(first[1], interval, 1e-3))  # four digits of t
 claim("demMeans reports its blocks", case.found(r" s in 20 blocks$"))
+mean = case.read("0.04/U.particlesBlockMean")
+run = case.run("demPimpleFoam", "-postProcess", log="log.postProcess")
+claim("demMeans leaves the means of the run as they are with -postProcess",
+      re.search("^End", run.log, re.M) and case.read("0.04/U.particlesBlockMean") == mean,
+      *run.log.splitlines()[-12:])
 
 # ---- one outer iteration ---------------------------------------------------------------------------
 
