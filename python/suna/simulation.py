@@ -55,6 +55,7 @@ class Simulation(Editing, Output):
                    ("virial", virial, lib.dem_case_enable_virial)) if switch(name, value)]
         left_out = None if without is None else text("without", without)
         self._core, self._described = Core(comm), [_reader(scene), _override(settings)]
+        self._balanced = bool(energy)
         self._forces: list[Callable[[Forces], None]] = []
         self._described += [lambda c: _options(c, left_out, wanted)]
         try:
@@ -182,6 +183,9 @@ class Simulation(Editing, Output):
         since, n = ffi.new("double *"), ffi.new("int *")
         item = ffi.new("struct dem_energy_item **")
         with self._set_up() as d:
+            if not self._balanced:
+                raise SunaError("energy: this simulation keeps no energy balance; create it with "
+                                "Simulation(..., energy=True)")
             check(lib.dem_energy(d, since, n, item))
             return {string(item[0][k].name): item[0][k].value for k in range(n[0])}
 
@@ -310,8 +314,11 @@ class Simulation(Editing, Output):
 
     def save(self, path: File) -> None:
         """Write a snapshot. Collective."""
+        name = file_name("path", path)
         with self._set_up() as d:
-            check(lib.dem_save(d, file_name("path", path)))
+            if os.path.isdir(name):
+                raise SunaError(f"{path} is a folder; give the path of a file, as in state.dem")
+            check(lib.dem_save(d, name))
 
     def _repr_html_(self) -> str:
         """A table for notebooks. Collective."""

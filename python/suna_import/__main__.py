@@ -102,8 +102,9 @@ def import_particles(path, output, report, variables, units):
         report.translated(place, f"type {kind}", f"{of.sum()} particles" + (
             f" of density {', '.join(f'{x:g}' for x in density)} kg/m3" if density[-1] else
             "; the density is not in a dump"))
-    return files, "in a scene: insert { particles { type table; material NAME; file \"" + \
-        files[0] + "\"; } }"
+    groups = [f"type{kind}" for kind in kinds] if len(kinds) > 1 else ["particles"]
+    return files, "in a scene: insert { " + " ".join(
+        f'{group} {{ type table; material NAME; file "{file}"; }}' for group, file in zip(groups, files)) + " }"
 
 
 def default_output(path, translate):
@@ -138,6 +139,8 @@ def main(arguments):
         raise CannotTranslate(f"-units {units}; known: {', '.join(BASE)}")
     translate, report = kind_of(path), Report()
     output = given.get("-o") or default_output(path, translate)
+    if path.is_file() and os.path.isdir(output):
+        output = os.path.join(output, default_output(path, translate))
     try:
         with sentences(path, report):
             if path.is_dir():

@@ -19,6 +19,7 @@ from .liggghts import Translation
 from .liggghts_contact import Need, laws
 from .liggghts_insertion import group_entries, stream_entries
 from .liggghts_particles import single_particles
+from .liggghts_state import acting
 from .report import HARMLESS, REFUSED, TRANSLATED, Place
 from .scene_text import as_name, braces, text
 from .units import BASE, Units
@@ -98,10 +99,13 @@ class DemScript:
         if self.state["heat"] is not None:
             self.refuse(self.state["heat"].place, "fix heat/gran", "heat is not translated in "
                         "coupled cases; add conduction and gunn to constant/demProperties by hand")
+        for fix in acting(self.state):
+            if fix.group != "all":
+                self.refuse(fix.place, f"group {fix.group}", "in coupled cases it acts on all particles; write all")
         for name, sentence in (("forces", "forces on chosen particles"),
                                ("driven", "driven particles"),
                                ("frozen", "frozen particles beside others"),
-                               ("fluid", "a viscosity of its own, beside the fluid")):
+                               ("drags", "a viscosity of its own, beside the fluid")):
             if self.state[name]:
                 self.report.refuse(Place(self.path.name), name,
                                    f"{sentence}: coupled cases have none")
@@ -129,8 +133,8 @@ class DemScript:
         if shape == "plane":
             point, radius = tuple(wall.numbers[0]*x for x in axis), 0.0
         else:
-            rest = iter(wall.numbers[1:])
-            point, radius = tuple(0.0 if x else next(rest) for x in axis), wall.numbers[0]
+            (radius, a, b), x = wall.numbers, axis.index(1)
+            point = ((0.0, a, b), (b, 0.0, a), (a, b, 0.0))[x]
         return [Wall(as_name(wall.name), shape, point, axis, radius, wall.type,
                      self.place(wall.place))]
 

@@ -44,13 +44,12 @@ HARMLESS = {
     "comm_modify": "",
     "comm_style": "",
     "processors": "-np of mpirun decides",
-    "partition": "",
+    "partition": "another partition",
     "partitioner_style": "",
     "balance": "",
     "modify_timing": "",
     "thermo_log": "",
     "neighbor": "lists tune themselves",
-    "neigh_modify": "lists tune themselves",
     "atom_modify": "",
     "thermo": "a line every ten seconds; write/energy",
     "thermo_style": "write/energy, averages",
@@ -93,13 +92,15 @@ class Translation(Head, Atoms, Restart):
     def clear(self):
         self.units, self.time, self.steps, self.step = Units(), 0.0, 0, None
         self.boundary, self.box, self.flat = ["m", "m", "m"], None, False
+        self.planar = False
         self.lost = "error"
-        self.properties, self.model, self.gravity = Properties(), None, None
+        self.properties, self.model, self.gravities, self.drags = Properties(), None, {}, {}
         self.regions, self.templates, self.distributions = {}, {}, {}
         self.meshes, self.walls, self.insertions, self.fixes = {}, {}, [], {}
         self.particles, self.groups, self.integrated, self.frozen = Particles(), {}, [], []
-        self.forces, self.outlets, self.interval, self.wall_interval = {}, {}, None, None
-        self.fluid, self.lattice, self.fresh, self.restarted = None, None, True, None
+        self.unknown = set()        # groups with particles of fix insert/..., known only in a run
+        self.forces, self.outlets, self.dump_every, self.wall_interval = {}, {}, None, None
+        self.lattice, self.fresh, self.restarted = None, True, None
         self.driven, self.heat, self.names = {}, None, Names()
 
     # ---- the script ------------------------------------------------------------------------------
@@ -237,6 +238,14 @@ class Translation(Head, Atoms, Restart):
                 return folder/name
         self.refuse(f"there is no file {name}; give it, relative to the script's folder")
 
+    def do_neigh_modify(self, words):
+        rest = words[words.after("exclude"):] if "exclude" in words else ["none"]
+        frozen = {group for _, group in self.frozen}
+        if rest[0] != "none" and not (rest[0] == "group" and set(rest[1:3]) <= frozen):
+            self.refuse("Suna leaves no contact out, except between frozen particles; remove it, or write fix freeze "
+                        "of these groups before", f"neigh_modify exclude {rest[0]}")
+        self.harmless("lists tune themselves")
+
     # ---- output ----------------------------------------------------------------------------------
 
     def do_dump(self, words):
@@ -244,9 +253,8 @@ class Translation(Head, Atoms, Restart):
         if style.startswith("custom") or \
                 style.split("/")[0] in ("atom", "xyz", "image", "local"):
             every = self.whole(words[3])
-            if style != "local" and self.step and every > 0:
-                interval = every*self.step
-                self.interval = min(self.interval or math.inf, interval)
+            if style != "local" and every > 0:
+                self.dump_every = min(self.dump_every or every, every)
             self.translated("write/interval; particles.pvd")
         else:
             self.harmless("walls.pvd, write/walls; other meshes are not written", f"dump {style}")
@@ -283,6 +291,22 @@ class Translation(Head, Atoms, Restart):
         self.clear()
         self.translated("a scene of its own follows")
 
+    @property
+    def gravity(self):
+        """Sum of the accelerations, and the line of the last one; None without."""
+        fixes = list(self.gravities.values())
+        return (numpy.sum([fix.value for fix in fixes], axis=0), fixes[-1].place) if fixes else None
+
+    def set_steps(self):
+        """Numbers of steps of the insertions that begin with this run, as times."""
+        for i in self.insertions:
+            if i.step is None:
+                i.step, i.every = self.step, i.every + i.every_steps*self.step
+                i.start = max(self.time, self.time + ((i.start_step or self.steps) - self.steps)*self.step)
+            elif i.every_steps and i.step != self.step and i.end > self.time:
+                self.report.refuse(i.place, f"fix insert/{i.style} insert_every", "counts steps, whose length changes "
+                                   "at a later run; write insert_every_time")
+
     def do_run(self, words):
         if self.step is None:
             self.lacks("timestep", "timestep")
@@ -294,13 +318,14 @@ class Translation(Head, Atoms, Restart):
             steps = max(0, steps - self.steps)
         if "every" in words and words[words.after("every") + 1:] != ["NULL"]:
             self.refuse("commands during a run are not followed; write several runs", "run every")
-        copied = ("model", "gravity", "properties", "walls", "meshes", "boundary", "box", "lost",
-                  "flat", "frozen", "integrated", "forces", "outlets", "fluid", "driven", "groups",
-                  "heat")
+        self.set_steps()
+        copied = ("model", "gravity", "gravities", "drags", "properties", "walls", "meshes", "boundary", "box",
+                  "lost", "flat", "frozen", "integrated", "forces", "outlets", "driven", "groups", "heat")
         state = {name: copy.copy(getattr(self, name)) for name in copied}
         state["properties"] = self.properties.copy()
         state["particles"], state["insertions"] = self.particles, self.insertions
-        state["interval"], state["wall_interval"] = self.interval, self.wall_interval
+        state["interval"] = self.dump_every and self.dump_every*self.step
+        state["wall_interval"] = self.wall_interval
         end = self.time + steps*self.step
         last = self.stages[-1] if self.stages and not self.fresh else None
         before = last or (self.restarted and self.restarted.stages and self.restarted.stages[-1])

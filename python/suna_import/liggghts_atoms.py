@@ -81,28 +81,36 @@ class Atoms:
 
     def do_group(self, words):
         name, style = words[0], words[1]
-        p = self.particles
+        p, placed = self.particles, [i for i in self.placed() if i.group != name]
+        known, before = not placed, numpy.isin(self.particles.id, self.groups.get(name, ()))
         if style == "id":
-            chosen = numpy.zeros(len(p), bool)
+            chosen, asked = numpy.zeros(len(p), bool), 0
             for word in words[2:]:
-                low, _, rest = word.partition(":")
-                high = (rest or low).split(":")[0]
-                chosen |= (p.id >= self.whole(low)) & (p.id <= self.whole(high))
+                numbers = [self.whole(number, 1) for number in word.split(":")]
+                low, high, stride = [*numbers, *[numbers[0], 1][len(numbers) - 1:]][:3]
+                chosen |= (p.id >= low) & (p.id <= high) & ((p.id - low) % stride == 0)
+                asked = max(asked, high)
+            known = asked <= max(p.id, default=0)
         elif style == "type":
-            chosen = numpy.isin(p.type, [self.atom_type(word) for word in words[2:]])
+            kinds = [self.atom_type(word) for word in words[2:]]
+            chosen = numpy.isin(p.type, kinds)
+            known = not any(t.type in kinds for i in placed for t in i.distribution.templates)
         elif style == "region":
             chosen = self.find(self.regions, words[2], "region").contains(p.x)
         elif style == "empty":
-            chosen = numpy.zeros(len(p), bool)
+            chosen, known = numpy.zeros(len(p), bool), True
         elif style in ("union", "intersect", "subtract"):
-            chosen = self.chosen(words[2])
+            known = not self.unknown & set(words[2:]) and "all" not in words[2:]
+            chosen = self.chosen(words[2]) | (before if style == "subtract" else False)
             for other in map(self.chosen, words[3:]):
                 chosen = chosen | other if style == "union" else \
                     chosen & other if style == "intersect" else chosen & ~other
         else:
             self.refuse("known: id, type, region, union, intersect, subtract, empty",
                         f"group {style}")
-        self.groups[name] = p.id[chosen]
+        self.groups[name] = p.id[chosen if style == "subtract" else chosen | before]    # it adds to a group of this name
+        if placed and not known:
+            self.unknown.add(name)
         self.translated("particles that are there")
 
     def chosen(self, group):
@@ -115,7 +123,7 @@ class Atoms:
         while rest:
             key = rest.pop(0)
             if key == "type":
-                if self.moved():
+                if self.moved() or self.placed():
                     self.refuse("the type of particles that a run has moved cannot be changed", "set type")
                 self.particles.type[chosen] = self.atom_type(rest.pop(0))
             elif key in SET:
@@ -146,6 +154,10 @@ class Atoms:
     def moved(self):
         """Particles are there that a run has moved."""
         return self.time > 0 and len(self.particles) > 0
+
+    def placed(self):
+        """Insertions that a run has begun."""
+        return [i for i in self.insertions if i.start < self.time]
 
     def inserted(self):
         """Particles of fix insert/... are there, which only a run knows."""

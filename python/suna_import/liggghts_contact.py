@@ -11,7 +11,7 @@ whose model is another one: friction, rolling resistance or cohesion that a wall
                                 (2/7 with ktToKnUser); k_t = kt of .../stiffness
     no_history                  linear with k_t = 0: the dashpot alone, up to mu F_n
     cdt, epsd, epsd2            rollingConstant, rollingSpring (K = 2.25 mu_r^2; K of k_t R*^2)
-    sjkr, sjkr2                 sjkr; twice the energy density
+    sjkr, sjkr2                 sjkr; twice the energy density between particles, at walls the same
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -61,14 +61,14 @@ class Model(NamedTuple):
 class Properties:
     """property/global: values by name; type numbers from 1."""
 
-    def __init__(self):
-        self.values, self.places = {}, {}
+    def __init__(self, length=1.0):
+        self.values, self.places, self.length = {}, {}, length       # m in a unit of length
 
     def set(self, name, kind, values, place):
         self.values[name], self.places[name] = (kind, tuple(values)), place
 
     def copy(self):
-        other = Properties()
+        other = Properties(self.length)
         other.values, other.places = dict(self.values), dict(self.places)
         return other
 
@@ -193,7 +193,7 @@ def laws(model, base, properties, i, j):
         return properties.value(name, i, j)
 
     found = {}
-    normal, settings = normal_law(model, base, value)
+    normal, settings = normal_law(model, base, value, properties.length)
     found[normal] = settings
     damping = {"attraction": "clamped"} if model.on("limitForce") else {}
     if model.normal == "hooke/stiffness" and model.on("absolute_damping"):
@@ -231,7 +231,8 @@ def laws(model, base, properties, i, j):
     return found
 
 
-def normal_law(model, base, value):
+def normal_law(model, base, value, length):
+    """`length`: kn is a force over a length, beside hertz over its square."""
     if base.normal == "hooke/hysteresis":
         speed = {"impactSpeed": value("characteristicVelocity")}
         if model.normal == "hooke":
@@ -241,7 +242,7 @@ def normal_law(model, base, value):
                                    "plasticDepth": value("coefficientPlasticityDepth"), **speed}
     return {"hertz": lambda: ("hertz", {}),
             "hooke": lambda: ("hooke", {"impactSpeed": value("characteristicVelocity")}),
-            "hertz/stiffness": lambda: ("hertz", {"stiffness": value("kn")}),
+            "hertz/stiffness": lambda: ("hertz", {"stiffness": value("kn")/length}),
             "hooke/stiffness": lambda: ("hooke", {"stiffness": value("kn")})}[model.normal]()
 
 

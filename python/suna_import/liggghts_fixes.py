@@ -10,6 +10,7 @@ import math
 import numpy
 
 from . import liggghts_heat, liggghts_insert_fixes, liggghts_wall_fixes
+from .liggghts_state import Action
 
 FLUID = "a coupled run of Suna needs no such line; alone, no fluid acts"
 HARMLESS = {
@@ -68,9 +69,12 @@ LACKING = (("heat/gran/radiation", "not translated; add radiation to the scene (
 PAIRS = ("peratomtypepair", "atomtypepair", "matrix")
 INTEGRATORS = ("nve/sphere", "nve/sphere/limit", "nve/limit", "nve/sphere/omp", "nve/nonspherical",
                "multisphere")
+ON_GROUP = ("freeze", "move", "addforce", "addtorque")
 KINDS = {
     "youngsModulus": "pressure",
     "characteristicVelocity": "velocity",
+    "kn": "stiffness",
+    "kt": "stiffness",
     "gamman": "rate",
     "gammat": "rate",
     "gamman_abs": "damping",
@@ -87,6 +91,10 @@ def add(t, name, group, style, words):
     """`t`: the Translation."""
     t.fixes[name] = style
     method = METHODS.get(style)
+    if group in t.unknown and (style in ON_GROUP or style in INTEGRATORS):
+        t.refuse(f"group {group} was made after a run, with particles that fix insert/... has placed; the importer "
+                 "does not know which. Make the group before, and insert into it, or begin another script with the "
+                 "particles, from a data file (read_data)", f"fix {style}")
     if method is not None:
         method(t, name, group, words)
     elif style in INTEGRATORS:
@@ -104,22 +112,23 @@ def add(t, name, group, style, words):
 
 def remove(t, name):
     style = t.fixes.pop(name)
+    t.insertions[:] = [i for i in t.insertions if i.fix != name or i.start < t.time]
     for insertion in t.insertions:
         if insertion.fix == name:
             insertion.end = min(insertion.end, t.time)
-    t.walls = {key: wall for key, wall in t.walls.items() if key != name}
+    t.walls.pop(name, None)
     for mesh in t.meshes.values():
         for motion in mesh.motions:
             if motion.name == name:
                 motion.end = min(motion.end, t.time)
-    if style == "gravity":
-        t.gravity = None
+    if style == "enforce2d":
+        t.flat = t.planar
     if t.heat is not None and t.heat.name == name:
         t.heat = None
     t.integrated = [row for row in t.integrated if row[0] != name]
     t.frozen = [row for row in t.frozen if row[0] != name]
-    t.forces = {key: value for key, value in t.forces.items() if key != name}
-    t.driven = {key: value for key, value in t.driven.items() if key != name}
+    for defined in (t.forces, t.driven, t.outlets, t.gravities, t.drags):
+        defined.pop(name, None)
 
 
 def hold(t, name, word):
@@ -193,8 +202,6 @@ def property_global(t, name, group, words):
         t.refuse(f"has {len(values)} values, not the number that {kind} needs",
                  f"property/global {what}")
     unit = KINDS.get(what, "number")
-    if what in ("kn", "kt"):
-        unit = "stiffness" if t.units.name == "si" else "number"
     t.properties.set(what, kind, [t.number(word, unit) for word in values], t.command.place)
     t.translated("materials, effects")
 
@@ -203,7 +210,7 @@ def gravity(t, name, group, words):
     if words[1] != "vector":
         t.refuse("known: vector", f"fix gravity {words[1]}")
     t.no_more(words[5:])
-    t.gravity = (t.number(words[0], "acceleration")*t.direction(words[2:5]), t.command.place)
+    t.gravities[name] = Action(group, t.number(words[0], "acceleration")*t.direction(words[2:5]), t.command.place)
     t.translated("effects/gravity")
 
 
@@ -217,8 +224,10 @@ def move(t, name, group, words):
         t.refuse("driven particles of Suna keep one velocity; known: linear",
                  f"fix move {words[0]}")
     t.no_more(words[4:])
-    t.driven[name] = (group, [0.0 if word == "NULL" else t.number(word, "velocity")
-                      for word in words[1:4]])
+    if "NULL" in words[1:4]:
+        t.refuse("NULL leaves the motion along this axis to the forces, but driven particles of Suna keep their whole "
+                 "velocity; write 0 for an axis along which they rest", "fix move linear")
+    t.driven[name] = (group, list(t.numbers(words[1:4], "velocity")))
     t.translated("driven yes")
 
 
@@ -235,9 +244,9 @@ def addtorque(t, name, group, words):
 
 
 def viscous(t, name, group, words):
-    if group != "all" or len(words) > 1:
+    if len(words) > 1:
         t.refuse("is translated with one coefficient for all particles", "fix viscous")
-    t.fluid = (t.number(words[0], "damping"), t.command.place)
+    t.drags[name] = Action(group, t.number(words[0], "damping"), t.command.place)
     t.translated("stokesDrag in a fluid with this coefficient, for one size")
 
 

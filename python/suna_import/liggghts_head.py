@@ -24,6 +24,7 @@ class Head:
         if words[0] not in BASE:
             self.refuse(f"Suna has SI units; known here: {', '.join(BASE)}", f"units {words[0]}")
         self.units = Units(words[0])
+        self.properties.length = self.units.si("length", 1.0)
         self.translated("" if words[0] == "si" else "converted to SI")
 
     def do_atom_style(self, words):
@@ -36,13 +37,16 @@ class Head:
         self.translated("spheres")
 
     def do_dimension(self, words):
-        self.flat = words[0] == "2"
+        self.flat = self.planar = words[0] == "2"
         self.translated("domain/flat" if self.flat else "")
 
     def do_boundary(self, words):
         for word in words[:3]:
             if not re.fullmatch("[pfsm]{1,2}", word):
                 raise BadWords(f'"{word}" is none of p, f, s, m')
+            if len({letter.replace("s", "m") for letter in word}) > 1:
+                self.refuse("the two sides of this axis differ, but a domain of Suna limits both or none; write "
+                            f"{word[0]} or {word[1]}", f"boundary {word}")
         self.boundary = words[:3]
         self.translated("domain")
 

@@ -107,7 +107,7 @@ def of_templates(t, i, word):
 
 
 def every(t, i, word):
-    i.every = 0.0 if word == "once" else t.number(word)*t.step if t.step else 0.0
+    i.every_steps = 0.0 if word == "once" else t.number(word)
 
 
 def every_time(t, i, word):
@@ -115,7 +115,7 @@ def every_time(t, i, word):
 
 
 def start(t, i, word):
-    i.start = max(t.time, t.time + (t.number(word) - t.steps)*(t.step or 0.0))
+    i.start_step = t.number(word)
 
 
 def region(t, i, word):

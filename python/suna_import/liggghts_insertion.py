@@ -175,6 +175,9 @@ class Insertion:
     start: float
     end: float = math.inf
     every: float = 0.0              # 0: once
+    every_steps: float = 0.0        # in steps of `step`, as long as this is None
+    start_step: float = None
+    step: float = None              # s, at the first run
     seed: int = 1
     velocity: numpy.ndarray = field(default_factory=lambda: numpy.zeros(3))
     spread: numpy.ndarray = field(default_factory=lambda: numpy.zeros(3))
@@ -199,6 +202,8 @@ class Insertion:
     def numbers(self, report, word, box):
         """Particles of a packing of each size (by_size), as many as LIGGGHTS can place in its
         `box`."""
+        if not numpy.isfinite(self.region.bounds()).all():
+            report.refuse(self.place, f"region {self.region.style}", "has no limits; intersect it with a block")
         one, space = self.distribution.mean(Template.volume), self.region.volume()
         n = self.count
         if self.fraction:

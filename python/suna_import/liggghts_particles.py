@@ -61,7 +61,7 @@ def write_table(path, x, diameter, v, w, id, temperature=None):
     if temperature is not None:
         columns = numpy.column_stack([columns, temperature])
         names.insert(-1, "temperature")
-    with open(path, "w") as file:
+    with open(path, "w", newline="\r\n") as file:
         file.write(",".join(names) + "\n")
         for row, number in zip(columns, id):
             file.write(",".join(f"{value:.12g}" for value in row) + f",{int(number)}\n")
@@ -122,6 +122,15 @@ def column(words, lines, name):
     return found.astype(int) if name in ("id", "type") else found
 
 
+def whole_number(word, line):
+    return int(column([word.strip()], [line], "type")[0]) if word.strip() != "0" else 0
+
+
+def complete(found, told, what, line):
+    if told is not None and found != told:
+        raise BadFile(f"{what} has {found} particles, and the head of the file says {told}; is the file cut off?", line)
+
+
 def require(good, what, lines):
     if not good.all():
         raise BadFile(f"{what} is not above 0", lines[int(numpy.argmin(good))])
@@ -132,7 +141,7 @@ def read_data(path, units, place):
     with open(path, errors="replace") as file:
         text = file.read().splitlines()
     box, found, section, speeds = numpy.full((3, 2), numpy.nan), Particles(), "", {}
-    rows, lines = [], []
+    rows, lines, told = [], [], None
     for line, words in enumerate((row.split("#")[0].split() for row in text), 1):
         if line == 1 or not words:
             continue
@@ -141,6 +150,8 @@ def read_data(path, units, place):
                                                                            "coordinate")
         elif words[0].isalpha():
             section = words[0]
+        elif words[1:] == ["atoms"] and not section:
+            told = whole_number(words[0], line)
         elif section == "Atoms":
             rows.append(words)
             lines.append(line)
@@ -148,6 +159,9 @@ def read_data(path, units, place):
             speeds[words[0]] = column((words[1:] + ["0"]*6)[:6], [line]*6, "velocity")
     if not rows:
         raise BadFile("no section Atoms with particles found", len(text))
+    complete(len(rows), told, "section Atoms", len(text))
+    if speeds:
+        complete(len(speeds), told, "section Velocities", len(text))
     given = table(rows, lines, GRANULAR)
     motion = numpy.array([speeds.get(row[0], numpy.zeros(6)) for row in rows])
     si = units.si
@@ -175,6 +189,8 @@ def read_dump(path, units, place):
     names = lines[starts[-1]].split()[2:]
     end = next((k for k, line in enumerate(lines[first:], first)
                 if line.startswith("ITEM:") or not line.strip()), len(lines))
+    told = next((k for k in range(first - 1, -1, -1) if lines[k].startswith("ITEM: NUMBER OF ATOMS")), None)
+    complete(end - first, None if told is None else whole_number(lines[told + 1], told + 2), "the last frame", end)
     if end == first:
         raise BadFile("the last frame has no particle", first)
     at = range(first + 1, end + 1)

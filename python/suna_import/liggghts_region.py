@@ -102,6 +102,18 @@ class Region:
         each = [part.contains(x) for part in self.parts]
         return numpy.any(each, axis=0) if self.style == "union" else numpy.all(each, axis=0)
 
+    def samples(self, box):
+        """Points in it, n x 3, inside this box, if there is one; corners are a hair inside."""
+        low, high = self.bounds()
+        if box is not None:
+            low, high = numpy.maximum(low, numpy.transpose(box)[0]), numpy.minimum(high, numpy.transpose(box)[1])
+        if not numpy.isfinite([low, high]).all() or (low > high).any():
+            return numpy.empty((0, 3))
+        within = numpy.random.default_rng(1).uniform(1e-6, 1 - 1e-6, (5000, 3))
+        corners = numpy.stack(numpy.meshgrid(*[[1e-6, 1 - 1e-6]]*3), -1).reshape(-1, 3)
+        x = low + (high - low)*numpy.concatenate([within, corners])
+        return x[self.contains(x)]
+
     def is_shape(self):
         """The scene has this shape."""
         return self.style in ("block", "cylinder", "sphere") and not self.outside and \

@@ -28,7 +28,7 @@ class Restart:
 
     def take_over(self, other):
         """Continue from the end of another script: particles, box, time."""
-        for name in ("box", "time", "steps", "particles", "insertions", "groups", "templates",
+        for name in ("box", "time", "steps", "particles", "insertions", "groups", "unknown", "templates",
                      "distributions", "names"):
             setattr(self, name, copy.copy(getattr(other, name)))
         self.restarted, self.fresh = other, False

@@ -12,6 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import math
 import os
+import shlex
 
 import numpy
 
@@ -19,7 +20,7 @@ from .liggghts_scene_laws import Laws
 from .liggghts_scene_particles import Groups
 from .liggghts_scene_time import Times
 from .liggghts_scene_walls import Walls
-from .liggghts_state import key
+from .liggghts_state import acting, key
 from .report import CannotTranslate
 from .scene_text import Names, SceneText, as_name, text, vector
 
@@ -79,6 +80,7 @@ class SceneMaker(Laws, Walls, Groups, Times):
         self.particles = self.state["particles"]
         self.insertions = [i for i in self.state["insertions"] if i.start < self.end]
         self.check_heat()
+        self.check_groups()
         self.find_materials()
         self.add_walls()
         self.add_domain()
@@ -98,6 +100,16 @@ class SceneMaker(Laws, Walls, Groups, Times):
         if heat and self.restart and before.state["heat"] is None:
             self.refuse(heat.place, "fix heat/gran", "begins after a run, and the snapshot has no "
                         "temperatures; write it before the first run")
+
+    def check_groups(self):
+        """Gravity, drag and walls of Suna act on all particles that move freely."""
+        _, _, driven, frozen = self.states()
+        for fix in acting(self.state):
+            free = ~(driven | frozen | self.member(fix.group))
+            if fix.group != "all" and (free.any() or not all(
+                    i.group == fix.group or self.is_frozen(i.group) for i in self.insertions)):
+                self.refuse(fix.place, f"group {fix.group}", "the fix acts on this group only, but in Suna it acts on "
+                            "all particles that move freely; write all, or import the group by itself")
 
     def new_file(self, ending):
         """Path of a file beside the scene, a name with a dot and its kind."""
@@ -142,9 +154,10 @@ class SceneMaker(Laws, Walls, Groups, Times):
             self.scene.named("forces", as_name(name), f"{ids}{kind} {vector(values)};", place)
 
     def add_fluid(self):
-        if self.state["fluid"] is None:
+        drags = list(self.state["drags"].values())
+        if not drags:
             return
-        gamma, place = self.state["fluid"]
+        gamma, place = sum(fix.value for fix in drags), drags[-1].place
         if any(i.has_clumps() for i in self.insertions):
             self.refuse(place, "fix viscous", "LIGGGHTS drags each sphere of a clump, Suna the clump; remove the fix")
         sizes = {round(2*t.range()[k], 15) for i in self.insertions
@@ -185,8 +198,7 @@ def write_scenes(translation, output, report):
         snapshot = f"{os.path.basename(name)}/snapshot.dem"
     report.raise_refused()
     for name, restart, scene in made:
-        command = "dem run " + (f"-restart {restart} " if restart else "") + \
-            os.path.relpath(name + ".dem")
+        command = shlex.join(["dem", "run", *(["-restart", restart] if restart else []), os.path.relpath(name + ".dem")])
         head = [f"// {os.path.basename(name)}.dem, translated from "
                 f"{os.path.relpath(translation.path)} by dem import.",
                 f"// Run where this was made: {command}", *report.comment()]

@@ -36,28 +36,38 @@ class Groups:
             elif i.end > self.start:
                 self.add_stream(i)
 
-    def add_particles(self):
+    def member(self, group):
+        """Which single particles are in a group."""
         p = self.particles
-        groups = self.state["groups"]
+        return numpy.ones(len(p), bool) if group == "all" else numpy.isin(
+            p.id, self.state["groups"].get(group, ()))
 
-        def member(g):
-            return numpy.ones(len(p), bool) if g == "all" else numpy.isin(p.id, groups.get(g, ()))
-        none = numpy.zeros(len(p), bool)
-        frozen = ~numpy.any([none, *(member(g) for _, g in self.state["integrated"])], axis=0)
-        frozen |= numpy.any([none, *(member(g) for _, g in self.state["frozen"])], axis=0)
-        v, driven = p.v.copy(), none.copy()
+    def states(self):
+        """Velocity and spin of the single particles, which are driven, which frozen."""
+        p, none = self.particles, numpy.zeros(len(self.particles), bool)
+        integrated, frozen = (numpy.any([none, *(self.member(g) for _, g in self.state[name])], axis=0)
+                              for name in ("integrated", "frozen"))
+        v, w, moves = p.v.copy(), p.w, (p.v != 0).any(axis=1) | (p.w != 0).any(axis=1)
+        driven = frozen & integrated & moves        # without force, a particle keeps its velocity
         for g, speed in self.state["driven"].values():
-            which = member(g)
+            which = self.member(g)
             driven |= which
             v[which] = speed
-        frozen &= ~driven
+        if (moves & ~integrated & ~driven).any():
+            self.refuse(p.place, "velocity", "particles that no fix integrates have a velocity, which contacts of "
+                        "LIGGGHTS feel; set it to 0, or drive them by fix move linear")
+        return v, w, driven, (frozen | ~integrated) & ~driven
+
+    def add_particles(self):
+        p = self.particles
+        v, w, driven, frozen = self.states()
         rows = sorted(set(zip(p.type, p.density, frozen, driven)))
         for k, (kind, density, still, pushed) in enumerate(rows):
             which = (p.type == kind) & (p.density == density) & (frozen == still) & (
                 driven == pushed)
             self.write_particles(f"particles{k + 1 if len(rows) > 1 else ''}", p.x[which],
                                  p.diameter[which], numpy.where(still, 0.0, v[which]),
-                                 numpy.where(still, 0.0, p.w[which]), p.id[which],
+                                 numpy.where(still, 0.0, w[which]), p.id[which],
                                  self.material(int(kind), float(density)),
                                  (" frozen yes;" if still else "") +
                                  (" driven yes;" if pushed else ""), p.place,
@@ -74,6 +84,12 @@ class Groups:
         self.scene.named("insert", name, body + more, place)
 
     def add_packing(self, i):
+        if self.is_frozen(i.group) and (i.velocity.any() or i.spin.any() or i.start > self.start):
+            self.refuse(i.place, "insert/pack", "frozen particles of Suna are at rest, and there at the beginning; leave "
+                        "out vel, omega and start, or read them from a data file (read_data)")
+        if any(g in ("all", i.group) for g, _ in self.state["driven"].values()):
+            self.refuse(i.place, "fix move", "drives particles of create_atoms and read_data only; give the group in "
+                        "the scene driven yes and its velocity")
         numbers = i.numbers(self.report, "insert/pack", self.box)
         number = sum(numbers)
         if i.start <= self.start and not self.restart:

@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import functools
 import math
 import os
 
@@ -19,19 +20,20 @@ SIDES = 96              # of a cone
 class Walls:
     """Of a SceneMaker (liggghts_scene.py)."""
 
+    @functools.cached_property
     def landmarks(self):
-        """Points where particles are or enter."""
-        found = [x for x in self.particles.x]
+        """(points where particles are or enter, how far these stay inside)."""
+        found = [(self.particles.x, 0.0)]
         for i in self.insertions:
             if i.face is not None:
-                found.append(i.face.triangles.mean(axis=(0, 1)))
+                found.append((i.face.triangles.mean(axis=1), 0.0))
             else:
-                low, high = i.region.bounds()
-                if numpy.isfinite([low, high]).all():
-                    found.append((low + high)/2)
+                r = min(t.range()[0] for t in i.distribution.templates) if i.all_in else 0.0
+                found.append((i.region.samples(self.box), r))
+        found = [(x, r) for x, r in found if len(x)]
         if not found and self.box is not None:
-            found.append(numpy.array(self.box).mean(axis=1))
-        return numpy.array(found).reshape(-1, 3)
+            found.append((numpy.array(self.box).mean(axis=1)[None], 0.0))
+        return found
 
     def add_walls(self):
         base, made = self.state["model"], {}
@@ -51,8 +53,11 @@ class Walls:
                 made[name] = model
 
     def side(self, wall, distance):
-        """1 or -1: where the particles are of a surface; distances of the landmarks from it."""
-        sides = {int(s) for s in numpy.sign(distance) if s}
+        """1 or -1: where the particles are of a surface; `distance`: of points from it."""
+        sides = set()
+        for x, r in self.landmarks:
+            low, high = distance(x).min() + r, distance(x).max() - r
+            sides |= {int(s) for s in numpy.sign([low, high] if low < high else [low + high]) if s}
         if len(sides) > 1:
             self.refuse(wall.place, wall.primitive,
                         "particles are on both sides of this wall, and a wall of Suna has "
@@ -89,7 +94,7 @@ class Walls:
         else:
             normal = numpy.eye(3)[AXES[wall.primitive[0]]]
             point = n[0]*normal
-        side = self.side(wall, (self.landmarks() - point) @ normal)
+        side = self.side(wall, lambda x: (x - point) @ normal)
         return f"plane; point {vector(point)}; normal {vector(side*normal)};"
 
     def cylinder(self, wall):
@@ -99,9 +104,9 @@ class Walls:
         else:
             a = AXES[wall.primitive[0]]
             axis, point = numpy.eye(3)[a], numpy.zeros(3)
-            point[[k for k in range(3) if k != a]] = n[1:]
-        away = numpy.linalg.norm(numpy.cross(self.landmarks() - point, axis), axis=1)
-        side = "inside" if self.side(wall, n[0] - away) > 0 else "outside"
+            point[[(a + 1) % 3, (a + 2) % 3]] = n[1:]       # of ycylinder: z, x
+        inside = self.side(wall, lambda x: n[0] - numpy.linalg.norm(numpy.cross(x - point, axis), axis=1)) > 0
+        side = "inside" if inside else "outside"
         if wall.velocity and numpy.linalg.norm(numpy.cross(axis, wall.velocity)) > 0:
             self.refuse(wall.place, "shear",
                         "along the axis of a cylinder only; surface_ang_vel of a mesh turns it")

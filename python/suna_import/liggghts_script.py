@@ -26,6 +26,7 @@ MAX_DEPTH = 20              # of variables that use variables
 MAX_VALUES = 10000          # of variables that a line needs
 WORD = re.compile(r'"""(.*?)"""|"([^"]*)"|\'([^\']*)\'|(\S+)', re.S)
 REFERENCE = re.compile(r"\$\{(\w+)\}|\$\(([^()]*(?:\([^()]*\)[^()]*)*)\)|\$(\w)")
+PARTITION = re.compile(r"\s*partition\s+(yes|no)\s+(\d*)(\*?)(\d*)\s+")
 QUOTED = re.compile(r'("""(?:.|\n)*?"""|"[^"]*"|\'[^\']*\')')
 
 
@@ -129,6 +130,11 @@ class Script:
 
     def _commands(self, text):
         self.report.at, self.evaluated = self.place, 0
+        match = PARTITION.match(text)
+        if match:           # there is one partition, number 1
+            chosen, low, star, high = match.groups()
+            of = int(low or 1) <= 1 <= int(high or 1) if star else low == "1"
+            text = text[match.end():] if of == (chosen == "yes") else text
         with collected():
             words = self._words(text)
             if words.get(0) == "if":

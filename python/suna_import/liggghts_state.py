@@ -18,6 +18,7 @@ class Wall:
     name: str
     model: object
     place: object
+    group: str = "all"
     type: int = 0
     primitive: str = ""
     numbers: tuple = ()
@@ -25,6 +26,18 @@ class Wall:
     velocity: tuple = ()            # shear: of the surface
     temperature: float = 0.0        # K; 0: none
     area: str = "overlap"           # of a contact that conducts
+
+    def key(self):
+        return (self.name, self.model.key(), self.group, self.type, self.primitive, self.numbers, self.meshes,
+                self.velocity, self.temperature, self.area)
+
+
+@dataclass
+class Action:
+    """A fix gravity or fix viscous."""
+    group: str
+    value: object                   # m/s2; kg/s
+    place: object
 
 
 @dataclass
@@ -51,6 +64,11 @@ class Mesh:
     temperature: float = 0.0        # K; 0: none
     wears: bool = False             # by Finnie's law
     motions: list = field(default_factory=list)
+
+    def key(self):
+        """What does not change with its motion; that is of this mesh, not of one that replaces it."""
+        return (self.name, self.triangles.tobytes(), self.type, self.velocity, self.spin, self.temperature,
+                self.wears, id(self) if self.motions else 0)
 
     def at(self, time):
         """Corners at a time, and whether any motion has moved them."""
@@ -88,17 +106,30 @@ def motions(state, insertions, particles):
             [(member(g).tolist(), list(speed)) for g, speed in state["driven"].values()])
 
 
+def acting(state):
+    """The fixes that act on a group, apart from what moves or forces it."""
+    return [*state["gravities"].values(), *state["drags"].values(), *state["walls"].values()]
+
+
 def key(state):
-    """What a scene cannot change while it runs."""
-    gravity = None if state["gravity"] is None else tuple(state["gravity"][0])
-    return (state["model"] and state["model"].key(), state["properties"].key(), gravity,
-            tuple((name, wall.place) for name, wall in state["walls"].items()),
-            tuple(state["outlets"]), tuple(state["boundary"]), tuple(state["frozen"]),
-            tuple(state["integrated"]), tuple(state["forces"]), tuple(state["driven"]),
-            state["flat"], state["heat"] and state["heat"].key())
+    """What a scene cannot change while it runs: all that the fixes of a run say, not where their lines stand."""
+    groups = {fix.group for fix in acting(state)} | {group for group, *_ in state["forces"].values()}
+    said = {
+        "model": state["model"] and state["model"].key(),
+        "properties": state["properties"].key(),
+        "gravity": [list(fix.value) for fix in state["gravities"].values()],
+        "drag": [fix.value for fix in state["drags"].values()],
+        "on": [fix.group for fix in acting(state)],
+        "groups": {name: list(state["groups"].get(name, ())) for name in groups},
+        "walls": [wall.key() for wall in state["walls"].values()],
+        "meshes": [state["meshes"][name].key() for wall in state["walls"].values() for name in wall.meshes],
+        "outlets": [(name, list(point), list(normal)) for name, (point, normal, _) in state["outlets"].items()],
+        "forces": [(name, *force[:3]) for name, force in state["forces"].items()],
+        "heat": state["heat"] and state["heat"].key()}
+    return said, *(state[name] for name in ("boundary", "lost", "flat", "frozen", "integrated", "driven"))
 
 
-@dataclass
+@dataclass(eq=False)
 class Stage:
     """Between the beginning and the end of one `run`."""
     start: float

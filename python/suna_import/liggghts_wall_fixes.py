@@ -35,7 +35,9 @@ def wall(t, name, group, words):
     if words[0] != "model":
         t.refuse("known is wall/gran model NORMAL ...", f"fix wall/gran {words[0]}")
     model, rest = read_model(words[1:], t.command.place, "fix wall/gran", t.report)
-    found = Wall(name, model, t.command.place)
+    if model.cohesion == "sjkr2":       # the area of sjkr; twice this area between particles only
+        model = model._replace(cohesion="sjkr")
+    found = Wall(name, model, t.command.place, group)
     if rest[0] == "primitive":
         rest = read_primitive(t, found, rest)
     elif rest[0] == "mesh":

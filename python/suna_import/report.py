@@ -134,7 +134,7 @@ class Report:
 
     def write_csv(self, path):
         with open(path, "w", newline="") as file:
-            out = csv.writer(file, lineterminator="\n")
+            out = csv.writer(file)
             out.writerow(("file", "line", "word", "kind", "text"))
             out.writerows((row.place.file, row.place.line, row.word, row.kind, row.text)
                           for row in self.rows)

@@ -813,6 +813,11 @@ def walls():
     pipe = cfdem_case(script={"zcylinder 0.0075": "zcylinder 0.004"}).d.sub("walls").sub("pipe")
     assert pipe.number("radius") == 0.004 and pipe.word("particles") == "inside"
     assert pipe.vector("point") == (0.005, 0.005, 0)
+    pipe = cfdem_case(script={"zcylinder 0.0075 0.005 0.005": "ycylinder 0.02 0.01 0.005"}).d.sub("walls").sub("pipe")
+    assert pipe.vector("point") == (0.005, 0, 0.01)         # z, then x
+    for fix in ("low all", "gravi all"):
+        refused(lambda: cfdem_case(script={f"fix  {fix}": f"group g type 1\nfix  {fix.replace('all', 'g')}"}),
+                "DEM/in.run", line_of(DEM, fix, 0) + 1, "group g", "acts on all particles")
 
 
 def quad(a, b, c, d):

@@ -147,7 +147,9 @@ def control_flow():
 variable n index 5e6 6e6
 variable name string "a b"
 if "${n} == 5e6 && 1 > 0" then "include more" else "bad command"
-timestep ${dt}
+partition yes 1 timestep ${dt}
+partition no 1*2 timestep 1
+partition yes 2* timestep 1
 variable k loop 3
 label again
 variable total equal $k*100
@@ -259,6 +261,12 @@ def units():
         assert si in cgs, si
         cgs = cgs.replace(si, other)
     assert flat(translate(cgs)[0]) == flat(translate(BASE)[0])
+    for law, kn in (("hooke/stiffness", 1e-3), ("hertz/stiffness", 0.1)):       # 1 dyn/cm in N/m, 1 dyn/cm2 in Pa
+        lines = "".join(f"fix {name} all property/global {name} peratomtypepair 1 {value}\n"
+                        for name, value in (("kn", 1e8), ("kt", 3e7), ("gamman", 0), ("gammat", 0)))
+        stiff = cgs.replace("model hertz", f"model {law}").replace("timestep 1e-6", "timestep 1e-9")
+        has(translate(stiff.replace("pair_style", lines + "pair_style"))[0],
+            f"{law.split('/')[0]} {{ stiffness {kn*1e8:.12g}; }}", "ratio 0.3;")
     micro = ONE.replace("units si", "units micro").replace("single 0 0 0.01",
                                                            "single 0 0 1e4").replace(
         "diameter 1e-3 density 2500", "diameter 1e3 density 2.5").replace("5e6",
@@ -366,6 +374,10 @@ def pairs():
     "fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1\n"
     "pair_style gran model hertz tangential history rolling_friction cdt")
     has(translate(rolling)[0], "between (type1 type1_wall); rollingConstant { friction 0; }")
+    sticky = BASE.replace("hertz tangential history", "hertz tangential history cohesion sjkr2").replace(
+        "pair_style", "fix c all property/global cohesionEnergyDensity peratomtypepair 1 1e4\npair_style")
+    has(translate(sticky)[0], " sjkr { energyDensity 20000; }", "z0 { type plane; material type1_wall;",
+        "type1_type1_wall { between (type1 type1_wall); sjkr { energyDensity 10000; } }")
     line = next(row for row in BASE.splitlines() if row.startswith("fix z0"))
     smooth = line.replace("fix z0", "fix z1").replace("tangential history", "tangential off rolling_friction cdt")
     has(translate(rolling.replace(line, f"{line}\n{smooth}"))[0],
@@ -384,6 +396,9 @@ def walls():
                         ("zcylinder 0.02 0 0", "axis (0 0 1); radius 0.02; particles inside;"),
                         ("xcylinder 0.005 0.5 0",
                          "point (0 0.5 0); axis (1 0 0); radius 0.005; particles outside;"),
+                        ("ycylinder 0.2 0.005 0.001",       # z, then x
+                         "point (0.001 0 0.005); axis (0 1 0); radius 0.2; particles inside;"),
+                        ("zplane 0.0004", "normal (0 0 1);"),       # all_in: less than a radius behind it
                         ("zplane 0 shear x 0.3", "surfaceVelocity (0.3 0 0);"),
                         ("general_plane 0 0 -1 0 0 2", "point (0 0 -1); normal (0 0 1);")):
         has(translate(BASE.replace(line, line.replace("zplane 0.0", words)))[0], part)
@@ -415,6 +430,8 @@ def walls():
                                     "zplane 0.0",
                                      "zplane 0.028")
     refused(both, "both sides", f"in.test:{line_of(both, 'fix z0')}")
+    for words in ("zplane 0.0006", "zcylinder 0.0135 0 0"):        # the region is on both sides
+        refused(BASE.replace("zplane 0.0", words), "both sides")
     write_stl(WORK/"plate.stl", [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]])
     plate = (WORK/"plate.stl").read_text()
     mesh = """fix cad all mesh/surface file plate.stl type 1 move 0 0 1 scale 0.01 rotate axis 1 0 0 angle 90
@@ -627,6 +644,71 @@ run 10
     assert flat(two).count("type random") == 2 and "restitution 0.6" in two
 
 
+def changes():
+    """all that a fix says between two runs begins a scene of its own: its values, not the place of its line"""
+    plates = {f"plate{k}__stl": f"solid\nfacet normal 0 0 1\nouter loop\nvertex -1 -1 -{k}\nvertex 1 -1 -{k}\n"
+              f"vertex 0 2 -{k}\nendloop\nendfacet\nendsolid\n" for k in (1, 2)}
+    wall = "fix w all wall/gran model hertz tangential history primitive type 1 zplane $z\n"
+    mesh = "fix cad all mesh/surface file plate$z.stl type 1\n" \
+        "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n"
+    flow = "fix cad all mesh/surface file plate1.stl type 1\n" \
+        "fix f all massflow/mesh mesh cad vec_side 0 0 -1 count once delete_atoms yes\n"
+    for before, change, first, second in (
+            ("fix f all addforce 1e-3 0 0", "fix f all addforce -1e-3 0 0", "(0.001 0 0)", "(-0.001 0 0)"),
+            ("fix v all viscous 1e-6", "unfix v", "stokesDrag", ""),
+            ("", "fix v all viscous 1e-6", "", "stokesDrag"),
+            (flow, "unfix f", "outlets", ""),
+            (wall.replace("$z", "-1"), "unfix w\n" + wall.replace("$z", "-2"), "point (0 0 -1)", "point (0 0 -2)"),
+            (mesh.replace("$z", "1"), mesh.replace("$z", "2"), '"plate1.stl"', '"plate2.stl"'),
+            ("fix g all gravity 1 vector 0 0 1", "unfix g", "gravity", ""),
+            ("thermo_modify lost ignore\nboundary f f f", "thermo_modify lost error", "leaving remove", "")):
+        translate(ONE.replace(RUN, f"{before}\nrun 500\n{change}\nrun 500\n"), **plates)
+        scenes = [flat(path.read_text()) for path in sorted(Path(".").glob("scene_*.dem"))]
+        assert len(scenes) == 2, (before, change, scenes)
+        for part, own, other in ((first, *scenes), (second, *scenes[::-1])):
+            assert not part or part in own and part not in other, (change, part)
+    same = "fix f all addforce 1e-3 0 0\nfix v all viscous 1e-6\n"
+    translate(ONE.replace(RUN, f"{same}run 500\n{same}run 500\n"))
+    assert Path("scene.dem").exists()
+    for fixes, part in ((wall.replace("$z", "-$z"), "point (0 0 -{})"), (mesh, '"plate{}.stl"')):
+        translate(ONE.replace(RUN, f"variable z index 1 2\nlabel a\n{fixes}run 100\nnext z\njump SELF a\n"), **plates)
+        for k in (1, 2):
+            has(Path(f"scene_{k}.dem").read_text(), part.format(k))
+
+
+def groups():
+    """a fix that acts on some of the particles is refused where Suna has it for all"""
+    two = ONE.replace("set group", "create_atoms 1 single 0.005 0 0.02 units box\nset group").replace(
+        RUN, "group one id 1\n" + RUN)
+    for fix in ("gravity 9.81 vector 0 0 -1", "viscous 1e-6",
+                "wall/gran model hertz tangential history primitive type 1 zplane -1"):
+        refused(two.replace(RUN, f"fix x one {fix}\n{RUN}"), "group one", "acts on this group only",
+                f"in.test:{2 + line_of(ONE, RUN.strip())}")
+        # the other one is frozen
+        translate(two.replace("fix move all", "fix move one").replace("group one id 1\n", "").replace(
+            "fix move", "group one id 1\nfix move").replace(RUN, f"fix x one {fix}\n{RUN}"))
+    has(translate(BASE.replace(RUN, "fix side all gravity 3 vector 1 0 0\n" + RUN))[0], "acceleration (3 0 -9.81);")
+    many = ONE.replace("set group", "create_atoms 1 single 0 0 0.02 units box\n"*5 + "set group")
+    has(translate(many.replace(RUN, f"group some id 1:5:2 6\nfix x some addforce 0 0 1\n{RUN}"))[0],
+        "x { ids (1 3 5 6);")
+    has(translate(many.replace(RUN, f"group some id 1\ngroup some id 3\nfix x some addforce 0 0 1\n{RUN}"))[0],
+        "x { ids (1 3);")         # a second line adds to the group
+    own = BASE.replace("fix ins all", "group own empty\nfix ins own").replace("fix move all", "fix move own")
+    translate(own.replace(RUN, f"run 10\ngroup own region box\nunfix move\nfix move own nve/sphere\n{RUN}"))
+    translate(two.replace(RUN, "run 0\nrun 0\n"))
+    # made after a run: which of the inserted particles are in it is not known
+    for group in ("type 1", "region box", "id 1:10", "subtract all none"):
+        for fix in ("freeze", "addforce 0 0 1e-3", "move linear 0 0 1"):
+            refused(BASE.replace(RUN, f"group none empty\nrun 10\ngroup t {group}\nfix x t {fix}\n{RUN}"),
+                    "group t was made after a run", f"fix {fix.split()[0]}")
+    refused(BASE.replace(RUN, f"run 10\nset region box type 1\n{RUN}"), "set type", "cannot be changed")
+    exclude = two.replace("fix z0", "neigh_modify exclude %s\nfix z0")
+    refused(exclude % "type 1 1", "neigh_modify exclude type", "leaves no contact out")
+    refused(exclude % "group all all", "neigh_modify exclude group")
+    translate(exclude % "none")
+    translate(exclude.replace("neigh", "fix stop all freeze\nneigh") % "group all all")
+
+
 def restart_files():
     """read_restart continues from the script beside it that writes the file"""
     run_script = BASE.replace(PACK,
@@ -685,6 +767,15 @@ fix pdd all particledistribution/discrete%s 15485867 2 p1 0.5 p2 0.5
     "insert/rate/region").replace("particles_in_region 100",
      "nparticles 50 particlerate 1e5")
     has(translate(rows)[0], "type stream; rate 100000; count 50;")
+    # numbers of steps before the timestep
+    late = BASE.replace("timestep 1e-6\n", "dump d all custom 100 a.* id x\n").replace(
+        "insert_every once", "insert_every 100 start 200 vel constant 0 0 -1").replace(RUN, "timestep 1e-6\n" + RUN)
+    has(translate(late)[0], "interval 0.0001;", "count 100;", "start 0.0002;", "start 0.0003;")
+    refused(late + "timestep 2e-6\nrun 10\n", "insert_every", "counts steps")
+    assert "random" not in translate(ONE.replace("fix move", PACK + "unfix ins\nfix move"))[0]     # before any run
+    outside = BASE.replace("100 region box", "100 region out").replace(
+        "fix ins", "region out sphere 0 0 0 0.01 side out units box\nfix ins")
+    refused(outside, "region sphere", "has no limits")
     write_stl(WORK/"face.stl", [[(0, 0, .04), (.005, 0, .04), (0, .005, .04)]])
     stream = BASE.replace(lines[-2],
     "fix face all mesh/surface file face.stl type 1\nfix ins all insert/stream seed 32452843 "
@@ -789,9 +880,9 @@ def single_particles():
     """create_atoms, lattice, set, velocity, group, freeze, read_data"""
     script = ONE.replace("fix move all nve/sphere", """create_atoms 1 single 0.005 0 0.02 units box
 set atom 2 diameter 2e-3 density 1000
-velocity all set 0.1 0 NULL
 group two id 2
 group rest subtract all two
+velocity rest set 0.1 0 NULL
 fix stop two freeze
 fix move rest nve/sphere""")
     has(translate(script)[0],
@@ -802,17 +893,28 @@ fix move rest nve/sphere""")
         "push { ids (1); force (0 0 0.001); }")
     has(translate(script.replace("freeze", "move linear 0 0 -0.1"))
         [0], "velocities ((0 0 -0.1)); driven yes;")
+    # LIGGGHTS integrates what it freezes: without force, the velocity stays
+    kept = script.replace("velocity rest", "velocity all").replace("nve/sphere", "nve/sphere\nfix on two nve/sphere")
+    has(translate(kept)[0], "ids (2); velocities ((0.1 0 0)); driven yes;")
+    refused(script.replace("velocity rest", "velocity all"), "no fix integrates")
+    refused(script.replace("freeze", "move linear 0 NULL -0.1"), "fix move linear", "NULL")
+    for change, word in (("vel constant 0 0 -1", "insert/pack"), ("start 500", "insert/pack")):
+        refused(BASE.replace("all_in", f"{change} all_in").replace(RUN, "fix stop all freeze\n" + RUN), word, "at rest")
+    refused(BASE.replace(RUN, "fix push all move linear 0 0 1\n" + RUN), "fix move", "driven yes")
     lattice = ONE.replace("create_atoms 1 single 0 0 0.01 units box",
                           "lattice sc 0.002\nregion in block -0.004 0.004 "
                           "-0.004 0.004 0.01 0.02 units box\ncreate_atoms 1 region in")
     scene, _ = translate(lattice)
     assert len(column(run(), "position")) == 5*5*6 and 'file "scene_particles.csv"' in scene
     data = "data\n\n2 atoms\n1 atom types\n-0.01 0.01 xlo xhi\n-0.01 0.01 ylo yhi\n0 0.05 zlo zhi\n\nAtoms\n\n" \
-        "7 1 1e-3 2500 0 0 0.01\n9 1 2e-3 2500 0 0 0.02\n\nVelocities\n\n9 0 0 -1 0 0 5\n"
+        "7 1 1e-3 2500 0 0 0.01\n9 1 2e-3 2500 0 0 0.02\n\nVelocities\n\n7 0 0 0 0 0 0\n9 0 0 -1 0 0 5\n"
     script = ONE[:ONE.index("region box")] + "read_data grains.data\n" + ONE[ONE.index(
         "fix m1") :ONE.index("create_atoms")] + "fix move all nve/sphere\nrun 1000\n"
     has(translate(script, grains__data=data)[
         0], "ids (7 9); velocities ((0 0 0) (0 0 -1)); spins ((0 0 0) (0 0 5));")
+    for name, cut, found, told in (("Atoms", data.replace("2 atoms", "3 atoms"), 2, 3),
+                                   ("Velocities", data.replace("7 0 0 0 0 0 0\n", ""), 1, 2)):
+        refused(script, f"section {name} has {found} particles, and the head of the file says {told}", grains__data=cut)
     refused(ONE.replace("set group all diameter", "set group all charge"), "set charge",
             "known: diameter")
     refused(BASE.replace("run 1000", "run 10\nset group all diameter 2e-3\nrun 10"),
@@ -837,6 +939,7 @@ def domain_and_output():
         "boundary m m m", "boundary p f m").replace(
             "run", "thermo_modify lost ignore\nrun"))
     has(scene, "x (-0.01 0.01); y (-0.01 0.01); periodic (x); leaving remove;")
+    refused(BASE.replace("boundary m m m", "boundary m ms fm"), "boundary fm", "the two sides of this axis differ")
     has(translate(BASE.replace("newton off", "dimension 2").replace(
         "particles_in_region 100", "particles_in_region 1"))[0], "z (0 0.05); flat (z);")
     scene, report = translate(
@@ -930,6 +1033,8 @@ def command():
         return subprocess.run([DEM, "import", *words], cwd=folder, capture_output=True, text=True)
     done = call("in.cup", "-report", "lines.csv")
     assert done.returncode == 0 and "dem run cup.dem" in done.stdout, done.stderr
+    text = (folder/"lines.csv").read_bytes()
+    assert text.count(b"\r\n") == text.count(b"\n") > 0
     rows = list(csv.reader((folder/"lines.csv").open()))
     assert rows[0] == ["file", "line", "word", "kind", "text"] and ["in.cup", str(
         line_of(BASE, "fix down"))] in [row[:2] for row in rows if row[3] == TRANSLATED]
@@ -940,7 +1045,18 @@ def command():
         "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
         "ITEM: ATOMS id type x y z vx vy vz radius\n5 1 0.1 0.2 0.3 1 2 3 0.01\n")
     assert call("dump.txt").returncode == 0
-    assert (folder/"dump.csv").read_text().splitlines()[1] == "0.1,0.2,0.3,0.02,1,2,3,0,0,0,5"
+    whole = (folder/"dump.txt").read_text()
+    (folder/"two types").write_text(whole.replace("ATOMS\n1\n", "ATOMS\n2\n") + "6 2 0.1 0.2 0.4 1 2 3 0.01\n")
+    assert 'type1 { type table; material NAME; file "two types_type1.csv"; } type2 { type table; material NAME; file ' \
+        '"two types_type2.csv"; } }' in call("two types").stdout
+    (folder/"out").mkdir(exist_ok=True)
+    (folder/"in.a cup").write_text(BASE)
+    done = call("-o", "out", "in.a cup")
+    assert "dem run 'out/a cup.dem'" in done.stdout and "dem run 'out/a cup.dem'" in (folder/"out"/"a cup.dem").read_text()
+    (folder/"dump.cut").write_text(whole.replace("ATOMS\n1\n", "ATOMS\n2\n"))
+    done = call("dump.cut")
+    assert done.returncode == 1 and "has 1 particles, and the head of the file says 2" in done.stderr, done.stderr
+    assert (folder/"dump.csv").read_bytes().splitlines(True)[1] == b"0.1,0.2,0.3,0.02,1,2,3,0,0,0,5\r\n"
     for words, sentence in ((("nothing",), "there is no nothing"), ((".",), "neither"),
                             (("-units", "lj", "dump.txt"), "-units lj"), ((), "give one file"),
                             (("-what", "x"), 'unknown option "-what"')):
@@ -983,7 +1099,8 @@ CUP = Path(__file__).resolve().parent/"cup.in"
 # with seeds 32452867, 49979687, 67867967
 CUP_HEIGHT = numpy.array([3.8082e-3, 3.8286e-3, 3.7709e-3])
 TESTS = [expressions, control_flow, all_faults, short_commands, endless, scene_of_base, units, models, pairs, walls,
-         missing_files, names, belt, other_meanings, lost_output, series, restart_files,
+         missing_files, names, belt, other_meanings, lost_output, series, changes,
+         groups, restart_files,
          insertion, clumps, placed, shapes, single_particles, domain_and_output, heat,
          area_correction, refused_heat, command, stored, conduction]
 

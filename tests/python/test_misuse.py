@@ -273,6 +273,10 @@ def texts():
     assert not Path("a").exists()
     sim.save(os.fsdecode(b"gr\xfcn.dem"))
     assert os.path.exists(b"gr\xfcn.dem")
+    for folder in (".", Path.cwd()):
+        refused(lambda: sim.save(folder), str(folder), "is a folder")
+    assert not Path("..part").exists()
+    refused(lambda: sim.energy, "Simulation(..., energy=True)")
     Path("wrong.dem").write_bytes(SCENE.encode().replace(b"hertz", b"h\xe4rtz"))
     refused(lambda: suna.Simulation("wrong.dem").setup(), "did you mean hertz")
     for scene in (5, None, [], "a\0b", "materials {\0}", b"no-such-file", {1: {}}, {"a": {"b": None}},
