@@ -100,38 +100,39 @@ Foam::string Foam::demCloud::divergence() const
     {
         return string::null;
     }
-    const scalarField speed(mag(U->primitiveField()));
-    const scalarField crossed(speed*mesh_.time().deltaTValue()/cbrt(mesh_.V().field()));
-    const scalar most = gMax(crossed);
+    const scalarField crossed
+    (
+        mag(U->primitiveField())*mesh_.time().deltaTValue()/cbrt(mesh_.V().field())
+    );
+    label celli = -1;
+    scalar most = limit;
 
-    if (most <= limit)
+    // The first value that is not a number is the most, too
+    for (label i = 0; i < crossed.size() && most == most; ++i)
+    {
+        if (!(crossed[i] <= most))
+        {
+            celli = i;
+            most = crossed[i];
+        }
+    }
+    // Of the first rank with such a cell
+    const bool mine =
+        returnReduce(celli < 0 ? labelMax : UPstream::myProcNo(), minOp<label>())
+     == UPstream::myProcNo();
+
+    if (!returnReduce(mine, orOp<bool>()))
     {
         return string::null;
     }
-    // The first rank with this cell; not a number is larger than all
-    const label celli = findMax(crossed);
-    const bool here = celli >= 0 && !(crossed[celli] < most);
-    const label rank =
-        returnReduce(here ? UPstream::myProcNo() : labelMax, minOp<label>());
-    List<scalarList> found(UPstream::nProcs());
-
-    if (rank == UPstream::myProcNo())
-    {
-        const vector& at = mesh_.C()[celli];
-        found[rank] = scalarList({speed[celli], at.x(), at.y(), at.z()});
-    }
-    Pstream::gatherList(found);
-    Pstream::scatterList(found);
-    const scalarList& worst = found[min(rank, found.size() - 1)];
+    const scalar speed = returnReduce(mine ? mag((*U)[celli]) : 0, sumOp<scalar>());
+    const vector at = returnReduce(mine ? mesh_.C()[celli] : vector(Zero), sumOp<vector>());
+    const scalar cells = returnReduce(mine ? most : 0, sumOp<scalar>());
     OStringStream os;
 
-    if (worst.size())
-    {
-        os  << "; the fluid has diverged, with " << worst[0] << " m/s at ("
-            << worst[1] << ' ' << worst[2] << ' ' << worst[3] << ") m, " << most
-            << " cells in a time step: look at its schemes, boundary conditions and mesh there,"
-            << " and go on from an earlier time";
-    }
+    os  << "; the fluid has diverged, with " << speed << " m/s at (" << at.x() << ' ' << at.y()
+        << ' ' << at.z() << ") m, " << cells << " cells in a time step: look at its schemes,"
+        << " boundary conditions and mesh there, and go on from an earlier time";
     return os.str();
 }
 

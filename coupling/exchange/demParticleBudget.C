@@ -7,6 +7,7 @@
 #include "demParticleBudget.H"
 #include "demCheck.H"
 #include "demColumns.H"
+#include "demFluid.H"
 
 // Impulse of the particles on all walls since the record reset it [N s]
 Foam::vector Foam::demParticleBudget::wallImpulse() const
@@ -142,6 +143,8 @@ void Foam::demParticleBudget::addParticles()
     }
 
     const vector& g = particles_.gravity();
+    // along periods gravity has no height
+    const vector upright(g - demFluid::alongPeriods(particles_.mesh(), g));
     const scalar T = particles_.window();
     const scalarField V(volumes(view_));
     vector weight(Zero);
@@ -152,10 +155,7 @@ void Foam::demParticleBudget::addParticles()
     {
         const scalar m = *dem_at(view_.mass, view_.stride, i);
         const double* x = dem_at(view_.position, view_.stride, i);
-        const vector displaced
-        (
-            particles_.react() ? fluid_.density[i]*V[i]*g : vector::zero
-        );
+        const scalar displacedMass = particles_.react() ? fluid_.density[i]*V[i] : 0;
 
         if (isFrozen(view_, i))
         {
@@ -163,14 +163,13 @@ void Foam::demParticleBudget::addParticles()
             {
                 held +=
                     impulse(fluid_, i) + vectorAt(fluid_.carried_over_impulse, i)
-                  - T*(V[i]*vectorAt(fluid_.pressure_gradient, i) - displaced);
+                  - T*(V[i]*vectorAt(fluid_.pressure_gradient, i) - displacedMass*g);
             }
         }
         else
         {
-            const vector w(m*g - displaced);
-            weight += T*w;
-            height -= w & vector(x[0], x[1], x[2]);
+            weight += T*(m - displacedMass)*g;
+            height -= (m - displacedMass)*(upright & vector(x[0], x[1], x[2]));
         }
     }
 

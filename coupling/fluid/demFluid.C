@@ -272,8 +272,11 @@ Foam::vector Foam::demFluid::alongPeriods(const fvMesh& mesh, const vector& g)
 void Foam::demFluid::checkGravity(const fvMesh& mesh, const vector& g)
 {
     const vector along(alongPeriods(mesh, g));
+    const volScalarField* rho = mesh.findObject<volScalarField>("rho");
+    const bool varies =
+        rho && gMax(rho->primitiveField()) > (1 + 1e-9)*gMin(rho->primitiveField());
 
-    if (mesh.foundObject<volScalarField>("p_rgh") && mag(along) > 0)
+    if (varies && mesh.foundObject<volScalarField>("p_rgh") && mag(along) > 0)
     {
         FatalErrorInFunction
             << "constant/g has the part " << along << " m/s2 along cyclic patches, but p_rgh"

@@ -21,7 +21,6 @@
 namespace Foam
 {
 
-// Each entry is preceded by its line, so that messages of the core can name it
 // The fewest digits with which its numbers arrive with the same bits
 static int digitsOf(const entry& e)
 {
@@ -46,6 +45,7 @@ static int digitsOf(const entry& e)
 }
 
 
+// Each entry is preceded by its line, so that messages of the core can name it
 static void writeEntries(const dictionary& dict, OStringStream& os)
 {
     forAllConstIters(dict, iter)

@@ -55,8 +55,8 @@ static void announce_short_interval(const struct dem_schedule *s, double step)
     }
     if (of[least] < step*(1.0 - 1e-9))
     {
-        printf("write/%s %g s is shorter than the step, and all steps end there: %.3g times as many steps as with %.4g "
-               "s or more\n", entry[least], of[least], step/of[least], step);
+        printf("write/%s %g s is shorter than the step %.4g s: steps end at each row, so the run makes %.3g times as "
+               "many\n", entry[least], of[least], step, step/of[least]);
     }
 }
 

@@ -58,7 +58,7 @@ int dem_sim_wall_goes_on(const struct dem_case *c, int k)
 {
     const struct dem_wall *const of = &c->d->state.walls.wall[k];
 
-    return is_same_wall(c, of, find_wall(&c->d->before, k, of->name), 0);
+    return is_same_wall(c, of, find_wall(&c->d->before, k, of->name), 1);
 }
 
 /* ---- compound motions ------------------------------------------------------------------------ */

@@ -120,7 +120,7 @@ int dem_sim_check_inserted(struct dem_case *c)
     return DEM_OK;
 }
 
-/* A wall that is new at a restart, or has another form, where particles are. */
+/* Refuse a wall that is new at a restart, or has another form, in the place of particles. */
 static int refuse_new_walls(const struct dem_case *c)
 {
     const struct dem *const d = c->d;

@@ -160,8 +160,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
     {
         double4 x = record[4*(size_t)i], v = record[4*(size_t)i + 1], w = record[4*(size_t)i + 2];
         const double4 rest = record[4*(size_t)i + 3];
-        /* the host has turned particles and advanced eddies before the first step; new ones are as they entered */
-        const int later = b->first + (int64_t)s > b->first_of_all && (s > 0 || i < b->entered);
+        /* the host has turned particles and advanced eddies before the first step */
+        const int later = b->first + (int64_t)s > b->first_of_all;
 
 #ifdef COLUMN_ORIENTATION
         global double *const turned =

@@ -2,7 +2,8 @@
  * device_changes.c -- particles that enter or leave (streams, outlets, sides of the domain) while the
  * device has the state.
  *
- * In a step that checks them the records come down, and the host decides. If particles enter or
+ * In a step that checks them the records come down, and the host decides; some such steps it makes itself
+ * (step/steps_on_device.c). If particles enter or
  * leave, the columns come down too, the host changes the particles, and all go up again. Rows and
  * history stay on the device: new lists follow, which find the old rows of a particle through its
  * former place.
@@ -12,6 +13,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "device/device_internal.h"
+#include "ranks/agree.h"
 
 /* The place that each particle had among the n with these ids; UINT32_MAX: it is new. Those that stay keep
    their order. */
@@ -20,7 +22,6 @@ static int put_places(struct dem_device *d, const struct dem_state *state, const
     const struct dem_particles *const p = &state->particles;
     size_t at = 0;
 
-    d->entered = 0;
     DEM_TRY(DEM_GROW(d->word, d->words, p->n + 1));
     for (size_t i = 0; i < p->n; i++)
     {
@@ -32,7 +33,6 @@ static int put_places(struct dem_device *d, const struct dem_state *state, const
         }
         d->word[i] = k < n ? (uint32_t)k : UINT32_MAX;
         at = k < n ? k + 1 : n;    /* new ones are behind all others */
-        d->entered = k < n ? (uint32_t)i + 1 : d->entered;
     }
     d->renumbered = 1;
     return dem_opencl_put(d->cl, &d->former_place, p->n*sizeof *d->word, d->word);
@@ -71,21 +71,21 @@ int dem_device_check(struct dem_device *d, struct dem_state *state,
         return DEM_OK;
     }
     /* the walls of this step; a wall that moves too fast is the host's */
-    DEM_TRY(dem_device_move_walls(d, state, steps, &next, &one, skin, 0));
+    int status = dem_device_move_walls(d, state, steps, &next, &one, skin, 0);
+
+    status = status ? status
+                    : dem_opencl_read(d->cl, &d->record, 0,
+                                      state->particles.n*sizeof *state->particles.record,
+                                      state->particles.record);
+    DEM_TRY(dem_agree(state, status));
     *end = one == 0;
     if (*end)
     {
         return DEM_OK;
     }
-    DEM_TRY(dem_opencl_read(d->cl, &d->record, 0,
-                            state->particles.n*sizeof *state->particles.record,
-                            state->particles.record));
     state->steps += steps->made;
     state->time = state->window.start + (double)next.first*state->dt;
-    int status = steps->enter_or_leave(state, changes);
-
-    *end = *changes && state->decomposition.ranks > 1;
-    *changes &= !*end;
+    status = steps->enter_or_leave(state, changes, end);
     status = status || !*changes ? status : change(d, state, steps);
     state->steps = number;
     state->time = time;

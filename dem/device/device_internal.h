@@ -61,7 +61,6 @@ struct dem_device
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates, former_place;
 
-    uint32_t entered;                   /* the first particle that enters before the next step */
     int renumbered;                     /* 1: particles have other places since the present lists: former_place */
     int own;                            /* 1: the present lists are made here, not on the host */
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */

@@ -12,8 +12,8 @@
 #include "ranks/agree.h"
 #include <math.h>
 
-/* 1 when the ghosts and triangles of this rank suffice for lists with the skin. Pairs, and walls and particles,
-   within a gap were within it and their displacements of each other when they were found. */
+/* 1 when the ghosts and triangles of this rank suffice for lists with the skin: partners within a gap now were
+   within the gap plus both displacements when the host found them. */
 static int ghosts_suffice(const struct dem_state *state, const struct dem_device_progress *p)
 {
     return state->decomposition.ranks == 1 ||

@@ -116,8 +116,7 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .particles = (uint32_t)state->particles.n,
         .stride = d->list[d->at].rows,
         .column = (uint32_t)(state->particles.n + state->particles.ghosts),
-        .walls = d->list[d->at].walls,
-        .entered = d->entered};
+        .walls = d->list[d->at].walls};
 }
 
 /* The steps of a batch, which the kernels leave out themselves when lists are used up. *made: how many. */
@@ -252,7 +251,6 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
     }
     DEM_TRY(dem_agree(state, dem_device_add_sums(d, state)));
     d->wait = made > 0 ? 0 : d->wait;
-    d->entered = made > 0 ? UINT32_MAX : d->entered;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
     state->limits.overlap = fmax(state->limits.overlap, (double)d->seen.overlap);
@@ -303,7 +301,6 @@ int dem_device_waits(const struct dem_state *state)
 
 static int begin_advance(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps)
 {
-    d->entered = UINT32_MAX;
     DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
     DEM_TRY(dem_device_put(d, state));
     return dem_device_refer(d, state);

@@ -60,11 +60,11 @@ struct dem_device_steps
     double max_displacement;  /* m  of a wall in a step, above which the host makes it */
     double max_speed;         /* m/s  of a particle, above which the host makes the step */
     /* particles may enter or leave in steps whose number in the run is a multiple of this; 0: never.
-       Then the first function is called, with the records of the step on the host, and the second one
-       if particles do, with all that belongs to them. Particles that stay keep their order, and new
-       ones follow. With several ranks the host makes such a step. */
+       Then the first function is called, collective, with the records of the step on the host. If particles
+       do, the host makes this step (end), or the second function is called, with all that belongs to them;
+       particles that stay keep their order, and new ones follow. */
     int64_t check;
-    int (*enter_or_leave)(struct dem_state *, int *changes);
+    int (*enter_or_leave)(struct dem_state *, int *changes, int *end);
     int (*change)(struct dem_state *);
     /* called before each batch of steps, by all ranks; end: 1 to end here */
     int (*ends)(struct dem_state *, int64_t made, int *end);

@@ -2,7 +2,7 @@
  * lists.cl -- new neighbor lists on the device: pairs within the outer skin, the entries that each
  * particle sums, and the history of the pairs that stay.
  *
- * With several ranks the host finds ghosts, for many lists (device_steps.c). They have no list; a pair with one
+ * With several ranks the host finds ghosts, for many lists (device_renewal.c). They have no list; a pair with one
  * is in the row of the owned particle.
  *
  * Particles are wrapped and counted into the cells of their level: those of about one size, and cells

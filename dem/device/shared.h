@@ -151,7 +151,6 @@ struct dem_device_batch
     uint32_t particles, stride;             /*    owned ones; stride: rows of a history column */
     uint32_t column;                        /*    particles of a column, with ghosts */
     uint32_t walls;                         /*    the first row of a wall */
-    uint32_t entered;                       /*    the first particle that enters in the first step */
     uint32_t frames;                        /*    of moving walls, for each step */
     uint32_t applied;                       /*    forces of the scene */
     uint32_t copies;                        /*    of each exact sum: a power of two */

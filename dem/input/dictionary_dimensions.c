@@ -90,7 +90,7 @@ int dem_dict_check_dimensions(const struct dem_entry *e, const char *unit)
         return DEM_OK;
     }
     DEM_REQUIRE(unit && *unit && read_unit(unit, power), DEM_ERROR_INPUT,
-                "%s: %s%s%s takes no dimensions; leave out [ ... ]", dem_entry_where(e), path, slash, e->name);
+                "%s: %s%s%s is read without dimensions; leave out [ ... ]", dem_entry_where(e), path, slash, e->name);
     for (; dem_dict_take_number(&c, &value); n++)
     {
         same &= value == (n < BASE ? power[n] : 0.0);

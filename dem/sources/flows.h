@@ -79,7 +79,8 @@ struct dem_flows
                                                step; 1: some rank removes particles */
     int asked;                              /* 1: only when the program asks */
     int64_t checked;                        /* the last step that a device has had checked */
-    int found;                              /* 1: it has found some, and the host changes them */
+    int found;                              /* 1: it has found particles that enter or leave, and
+                                               the host changes them in this step */
     int64_t next_id;
     struct dem_snapshot_flow flow[DEM_SNAPSHOT_FLOWS], backup[DEM_SNAPSHOT_FLOWS];
     int64_t backup_id;

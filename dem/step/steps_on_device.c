@@ -50,15 +50,23 @@ static void end_check(struct dem_state *state)
     state->flows->checked = state->steps;
 }
 
-static int enter_or_leave(struct dem_state *state, int *changes)
+/* The host makes a step in which particles enter or leave where it has to migrate particles between ranks, and
+   where it turns particles or advances their eddies, which new ones do not in this step. */
+static int host_changes(const struct dem_state *state)
+{
+    return state->decomposition.ranks > 1 || dem_column(&state->particles, DEM_COLUMN_ORIENTATION) ||
+           dem_column(&state->particles, DEM_COLUMN_EDDY);
+}
+
+static int enter_or_leave(struct dem_state *state, int *changes, int *end)
 {
     DEM_TRY(dem_neighbor_check_particles(state, changes));
     if (!*changes)
     {
         end_check(state);
     }
-    /* with several ranks some change their owner, too */
-    state->flows->found = *changes && state->decomposition.ranks > 1;
+    *end = state->flows->found = *changes && host_changes(state);
+    *changes &= !*end;
     return DEM_OK;
 }
 

@@ -1,8 +1,8 @@
 /*
  * wall_extent.h -- the extent along a coordinate axis that walls reach in their whole motion.
  *
- * The extent is infinite for a wall moved by force, but on a hinge; for several motions with a rotation about another
- * axis it is that of a box around each point, which each rotation turns.
+ * The extent is infinite for a wall moved by force, except on a hinge. For several motions with a rotation about another
+ * axis a box around each point is turned by each rotation.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

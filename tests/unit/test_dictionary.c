@@ -412,7 +412,7 @@ static const struct
     {"materials { glass { density [kg m^-3] 2500; } }",
      "scene.dem, line 1: materials/glass/density is in kg/m3, [1 -3 0 0 0 0 0], and has other dimensions; correct "
      "them and the value, or leave out [ ... ]"},
-    {"materials [1 -3 0 0 0 0 0] 3;", "scene.dem, line 1: materials takes no dimensions; leave out [ ... ]"},
+    {"materials [1 -3 0 0 0 0 0] 3;", "scene.dem, line 1: materials is read without dimensions; leave out [ ... ]"},
     {"materials { glass { density 2,5; } }",
      "scene.dem, line 1: materials/glass/density takes one number (kg/m3), found \"2,5\""},
     {"materials { glass { density 1e999; } }",
