@@ -13,14 +13,15 @@ Description
         d(e (1 - alpha))/dt + div((1 - alpha) F) = 0,    div F = ds/dt
         d(e rho U)/dt + div(rhoPhi U) = - e B + div(e tau) + F_p - K U
 
-        B = grad p_rgh + g.x grad rho - rho gc - sigma kappa grad alpha
+        B = grad p_rgh + g.x grad rho - (rho - rho_0) gc - sigma kappa grad alpha
 
     e       void fraction, 1 - s                                       [1]
     alpha   fraction of phase 1 in the void space                      [1]
     F       volume flux of the fluids (phaseTransport.H, totalFlux.H)
     U       interstitial velocity                                    [m/s]
     p_rgh   pressure without the hydrostatic part rho g.x, with g here without gc [Pa]
-    gc      gravity along the periods of cyclic patches             [m/s2]
+    gc, rho_0  gravity along the periods of cyclic patches, least density at the start of the
+            run                                              [m/s2], [kg/m3]
     rho, tau  density and stress of the mixture (twoFluids.H)
     F_p, K  explicit part of the particles' reaction, and coefficient of the
             implicit part (demExchange.H)                 [N/m3], [kg/m3/s]
