@@ -1,5 +1,5 @@
 """Gravity along cyclic patches: water, air and grains between two plates without friction are a chute without end. They
-slide down it by the component of gravity along it, all momentum of the chute is its weight in air times time, and no fluid
+slide down it by the component of gravity along it, all momentum is the weight in air times time, and no fluid
 is lost.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -62,4 +62,13 @@ for ranks in (1, 2):
     tables.append(table)
 speeds = tables[0]["particles.px"][-1], tables[1]["particles.px"][-1]
 claim("both numbers of ranks agree (1e-8)", close(*speeds, 1e-8), *speeds)
+
+# p_rgh of interFoam cannot hold this gravity
+case.for_stock()
+case.remove("0.*", "processor*", "postProcessing")
+case.sub("constant/demProperties", "budget yes;", "")
+case.append("system/controlDict", function_object)
+run = case.run("interFoam")
+claim("interFoam with the function object: refused", run.status not in (0, 124) and
+      "constant/g has the part (1.7 0 0) m/s2 along cyclic patches" in " ".join(run.log.split()), run.log[-1500:])
 finish()
