@@ -1,6 +1,6 @@
-"""Gravity along cyclic patches: water, air and grains between two plates without friction are a chute without end. They
-slide down it by the component of gravity along it, all momentum is the weight in air times time, and no fluid
-is lost.
+"""Gravity along cyclic patches: water, air and grains between two plates without friction are a chute without end.
+They slide down it by the component of gravity along it, all momentum is the weight in air times time, and no fluid is
+lost.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -11,7 +11,8 @@ length, across, height, surface, count, d, density = 0.06, 0.006, 0.06, 0.03, 64
 sides = {"left": ("cyclic; neighbourPatch right", "x-"), "right": ("cyclic; neighbourPatch left", "x+"),
          "plates": ("wall", "y- y+ z- z+")}
 period = " ".join(f"{side} {{ type cyclic; }}" for side in ("left", "right"))
-places = [(x, y, z) for x in 0.00375 + 0.0075*np.arange(8) for y in (0.0015, 0.0045) for z in (0.006, 0.01, 0.014, 0.018)]
+places = [(x, y, z) for x in 0.00375 + 0.0075*np.arange(8) for y in (0.0015, 0.0045)
+          for z in (0.006, 0.01, 0.014, 0.018)]
 
 
 def chute(name, ranks=1, insert=f"grains {{ type list; diameter {d}; positions ({' '.join(map(vector, places))}); }}"):
@@ -21,8 +22,9 @@ def chute(name, ranks=1, insert=f"grains {{ type list; diameter {d}; positions (
     case.box((length, across, height), (20, 2, 20), sides)
     case.fields(("plates",), slip=True, more=[period]*3)
     case.alpha(lambda x: x[:, 2] < surface)
-    case.grains(f"grain {{ density {density}; youngsModulus 1e6; }}", "hertz {} dry { restitution 0.5; } schillerNaumann {} "
-                "virtualMass {}", insert, "record { interval 5e-4; budget yes; }", "walls { plates { material grain; } }")
+    case.grains(f"grain {{ density {density}; youngsModulus 1e6; }}", "hertz {} dry { restitution 0.5; } "
+                "schillerNaumann {} virtualMass {}", insert, "record { interval 5e-4; budget yes; }",
+                "walls { plates { material grain; } }")
     if ranks > 1:    # the cyclic patches go to processor patches
         case.dictionary("system/decomposeParDict", "numberOfSubdomains 2; method simple; "
                         "simpleCoeffs { n (2 1 1); delta 1e-3; }")

@@ -109,7 +109,8 @@ case.sub("constant/demProperties", r"velocity \(0 0 20\)", "velocity (0 0 1)")
 # 50 km/s in a cell: the fluid is to blame, and its state is not good
 inside = case.read("0/U")
 case.sub("0/U", "internalField.*", "internalField uniform (0 0 5e4);")
-fails("a fluid that has diverged", r"; the fluid has diverged, with .* m/s at \(.*\) m, .* cells in a time step: look at its schemes")
+fails("a fluid that has diverged",
+      r"; the fluid has diverged, with .* m/s at \(.*\) m, .* cells in a time step: look at its schemes")
 claim("a fluid that has diverged: no state is written", case.times() == [])
 case.write("0/U", inside)
 
