@@ -133,7 +133,7 @@ slips = [                                             # what, sentence, changes
     ("two materials, and walls without one", "What is wall walls made of", steel),
     ("a patch without a material, of two", "walls/top misses its material.*neutral.*steel",
      steel, before("insert", "walls { walls { material steel; } top {} }")),
-    ("a misspelt patch", "walls/tob .*did you mean top. known: top, walls$",
+    ("a misspelt patch", "walls/tob .*did you mean top. known: top, walls(?!,)",
      before("insert", "walls { tob { material neutral; } }")),
     ("a misspelt patch of type patch", "walls/tob .*did you mean top",
      before("insert", "walls { tob { type patch; material neutral; } }")),
