@@ -1,7 +1,8 @@
 /*
  * bodies.cl -- the kernel that ends a step: each particle sums its contact rows in the order of
  * partner ids, adds body forces (BODIES, a function that the host composes), is kicked, and drifts
- * into the next step. MOMENTS, PAST_TOUCHING: as of the interaction table; FLUID: there is one.
+ * into the next step; in the last step of a window it is kicked by half a step, and the sums are left for the
+ * host. MOMENTS, PAST_TOUCHING: as of the interaction table; FLUID: there is one.
  *
  * The arithmetic is the host's (step/sum_contacts.c, step/sweep_bodies.c, step/drift.h).
  *
@@ -57,6 +58,21 @@ static void dem_sum_rows(constant struct dem_device_batch *b, uint i, double rad
         }
     }
 #endif
+}
+
+/* Contacts that a particle counts: of which it is the first partner. */
+static uint dem_count_touching(uint i, global const uchar *restrict touch, global const double4 *restrict force,
+                               global const uint *restrict start, global const uint *restrict entry)
+{
+    uint n = 0;
+
+    for (uint e = start[i]; e < start[i + 1]; e++)
+    {
+        const uint row = entry[e] >> 1;
+
+        n += !(entry[e] & 1) && touch[row] & DEM_DEVICE_TOUCHES && force[2*(size_t)row].w > 0.0;
+    }
+    return n;
 }
 
 /* 1 when a force of the scene acts on a particle (particles/applied_forces.c). */
@@ -146,7 +162,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
             constant struct dem_device_axes *axes, global double *restrict columns,
             global const double *restrict rates,
             global const struct dem_device_applied *restrict applied,
-            global const long *restrict ids, global long *sums)
+            global const long *restrict ids, global long *sums, global double4 *restrict contact_sums)
 {
     local uint fastest[DEM_DEVICE_GROUP];    /* bits: as integers, not-a-number is largest */
     const uint i = get_global_id(0), l = get_local_id(0);
@@ -187,7 +203,8 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
         r.fz = f[2];
         set_motion(&r, v, w);
 
-        const double h = b->dt;
+        const int last = s == b->last;
+        const double h = last ? 0.5*b->dt : b->dt;
 
 #if BALANCE
         struct dem_particle_balance e = {.to = {b, report, sums, s}};
@@ -208,7 +225,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #if FLUID
         dem_fluid_begin(columns, n, i, b->over_window, &r);
 #ifdef COLUMN_EDDY
-        dem_fluid_eddy(columns, n, i, h, later ? (ulong)(b->number + s) : 0, as_ulong(rest.y), &r);
+        dem_fluid_eddy(columns, n, i, b->dt, later ? (ulong)(b->number + s) : 0, as_ulong(rest.y), &r);
 #else
         (void)later;
 #endif
@@ -256,7 +273,7 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #endif
         }
 #if SCALARS
-        if (dem_particle_scalars_end(columns, n, i, h, rest.x, (uint)as_ulong(rest.z) & 0xffffu, &q))
+        if (dem_particle_scalars_end(columns, n, i, b->dt, rest.x, (uint)as_ulong(rest.z) & 0xffffu, &q))
         {
             dem_report_event(report, DEM_DEVICE_NOT_FINITE, s);
         }
@@ -274,9 +291,18 @@ void bodies(constant struct dem_device_batch *b, global struct dem_device_report
 #if BALANCE
         dem_balance_drift(&e, v, w, rest.x, f, t);
 #endif
-        x.x += (h*v.x + axes->round[0]) - axes->round[0];
-        x.y += (h*v.y + axes->round[1]) - axes->round[1];
-        x.z += (h*v.z + axes->round[2]) - axes->round[2];
+        if (last)
+        {
+            contact_sums[2*(size_t)i] =
+                (double4)(f[0], f[1], f[2], (double)dem_count_touching(i, touch, force, start, entry));
+            contact_sums[2*(size_t)i + 1] = (double4)(t[0], t[1], t[2], 0.0);
+        }
+        else
+        {
+            x.x += (h*v.x + axes->round[0]) - axes->round[0];
+            x.y += (h*v.y + axes->round[1]) - axes->round[1];
+            x.z += (h*v.z + axes->round[2]) - axes->round[2];
+        }
         record[4*(size_t)i] = x;
         record[4*(size_t)i + 1] = v;
         record[4*(size_t)i + 2] = w;

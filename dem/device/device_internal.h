@@ -33,6 +33,16 @@ enum dem_device_list_kernel
     DEM_LISTS_KERNELS
 };
 
+struct dem_device_progress    /* of the steps of an advance, or of several whose contacts stay here */
+{
+    double moved;           /* m  displacement since the lists were made, at most */
+    double skin;            /* m  of the device's lists; 0: they are the host's */
+    double rest;            /* m  displacement up to which they are valid, with the walls where they were */
+    double before;          /* m  displacements from the host's last rebuild to the present lists */
+    double walls_before;    /* m  the same of walls */
+    int64_t checked;        /*    the last step with a check of particles that enter or leave, of those made */
+};
+
 struct dem_device
 {
     struct dem_opencl *cl;
@@ -56,13 +66,21 @@ struct dem_device
     struct dem_device_rows list[2];
     int at;
     struct dem_opencl_memory force, moment, energy, contacts, exact, conditions, rates, applied, ids,
-        before_touch, before_history;
+        before_touch, before_history, contact_sums;
+    struct    /* contacts at the last backup; list.rows is 0 where the host had them */
+    {
+        struct dem_device_rows list;
+        struct dem_particle *ghost;
+        size_t ghosts, capacity;
+    } backup;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
         image, totals, largest, candidate_start, candidates, former_place;
 
     int renumbered;                     /* 1: particles have other places since the present lists: former_place */
     int own;                            /* 1: the present lists are made here, not on the host */
+    int keeps;                          /* 1: contacts may stay here between windows */
+    struct dem_device_progress progress;
     int64_t host_lists;                 /* rebuilds and prunes of the host's lists that are here */
     int64_t selections;                 /* of the triangles that this rank holds and are here */
     int64_t host_until;                 /* up to this step the host makes the steps */
@@ -77,16 +95,6 @@ struct dem_device
     double *speed;
     uint32_t *word;                     /* scratch */
     size_t speeds, words;
-};
-
-struct dem_device_progress    /* of the steps of an advance */
-{
-    double moved;           /* m  displacement since the lists were made, at most */
-    double skin;            /* m  of the device's lists; 0: they are the host's */
-    double rest;            /* m  displacement up to which they are valid, with the walls where they were */
-    double before;          /* m  displacements from the host's last rebuild to the present lists */
-    double walls_before;    /* m  the same of walls */
-    int64_t checked;        /*    the last step with a check of particles that enter or leave, of those made */
 };
 
 /* device_renewal.c, collective. New lists for the next step: always (changed: particles have entered or left), or
@@ -104,6 +112,17 @@ double dem_device_skin(const struct dem_device *, double speed, double dt);
 int dem_device_put(struct dem_device *, const struct dem_state *);
 int dem_device_get(struct dem_device *, struct dem_state *);
 int dem_device_reserve_rows(struct dem_device *, const struct dem_state *, uint32_t rows);
+
+/* device_state.c: the same where contacts have stayed on the device: particles, and forces of the scene. Rows of the
+   host away; the history of rows that do not touch to zero; history of these rows as saved history of the host. */
+int dem_device_put_window(struct dem_device *, const struct dem_state *);
+void dem_device_drop_host_rows(struct dem_contacts *);
+int dem_device_clear_apart(struct dem_device *, int columns);
+int dem_device_get_saved(struct dem_device *, struct dem_state *, const struct dem_device_rows *);
+
+/* device_window.c: after the last step of a window, whose contacts stay: particles and sums of their contacts to the
+   host. */
+int dem_device_get_window(struct dem_device *, struct dem_state *);
 
 /* device_state.c: records and columns of particles, up and down. */
 int dem_device_put_particles(struct dem_device *, const struct dem_state *);
@@ -158,11 +177,11 @@ void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *)
 
 /* device_sums.c: exact sums of a batch of steps, of loads on walls and of the energy balance, if they are
    asked for. Begin with zero; the arguments of the kernel of walls, and its launch in step s; add the sums
-   to the host's. has_wall_work: 1 when the work of walls that move is summed. */
+   to the host's, those of loads to `loads`. has_wall_work: 1 when the work of walls that move is summed. */
 int dem_device_begin_sums(struct dem_device *, const struct dem_state *, struct dem_device_batch *);
 int dem_device_give_loads(struct dem_device *);
 int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint32_t s);
-int dem_device_add_sums(struct dem_device *, struct dem_state *);
+int dem_device_add_sums(struct dem_device *, struct dem_state *, struct dem_binned_sum *loads);
 int dem_device_has_wall_work(const struct dem_state *);
 
 /* device_ghosts.c, with several ranks. put: which particles are sent and received. send: the

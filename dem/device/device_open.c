@@ -125,6 +125,11 @@ void dem_device_count(const struct dem_device *d, struct dem_device_counts *c)
     *c = d->counts;
 }
 
+int64_t dem_device_rows_of(const struct dem_device *d, int class)
+{
+    return d->list[d->at].count[class];
+}
+
 static void name_device(struct dem_device *d, const struct dem_state *state, int fitting)
 {
     const struct dem_opencl_info *const info = dem_opencl_device(d->cl);
@@ -179,7 +184,8 @@ struct dem_opencl_memory *dem_device_memory_of(struct dem_device *d, size_t k)
         &d->batch, &d->report, &d->ghosts_out, &d->ghosts_in, &d->ghosts, &d->needed, &d->triangles,
         &d->grid_first, &d->grid, &d->images, &d->contacts, &d->exact, &d->conditions,
         &d->rates, &d->applied, &d->ids,
-        &d->candidate_start, &d->candidates, &a->near, &b->near,
+        &d->candidate_start, &d->candidates, &a->near, &b->near, &d->contact_sums,
+        &d->backup.list.partners, &d->backup.list.history, &d->backup.list.near,
         &d->record, &d->lost, &d->columns, &d->before_record, &d->before_lost,
         &d->before_columns, &d->force, &d->moment,
         &d->energy, &d->before_touch, &d->before_history, &d->lists, &d->reference, &d->cell,
@@ -205,6 +211,7 @@ void dem_device_free(struct dem_state *state)
         dem_memory_free(d->word);
         dem_memory_free(d->frame);
         dem_memory_free(d->speed);
+        dem_memory_free(d->backup.ghost);
     }
     dem_memory_free(d);
     state->device = NULL;

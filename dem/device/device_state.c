@@ -172,6 +172,12 @@ int dem_device_put_particles(struct dem_device *d, const struct dem_state *state
     return lost ? dem_opencl_write(d->cl, &d->lost, 0, n*sizeof *lost, lost) : DEM_OK;
 }
 
+int dem_device_put_window(struct dem_device *d, const struct dem_state *state)
+{
+    DEM_TRY(dem_device_put_particles(d, state));
+    return put_applied(d, &state->applied_forces);
+}
+
 /* History of rows that do not touch is zero on the host, so all rows count as touching before. Rows
    that make up whole batches repeat others; no entry and no kernel has them. */
 int dem_device_put(struct dem_device *d, const struct dem_state *state)
@@ -179,8 +185,7 @@ int dem_device_put(struct dem_device *d, const struct dem_state *state)
     const struct dem_contact_history *const h = &state->contacts.history;
 
     DEM_TRY(put_lists(d, state));
-    DEM_TRY(dem_device_put_particles(d, state));
-    DEM_TRY(put_applied(d, &state->applied_forces));
+    DEM_TRY(dem_device_put_window(d, state));
     struct dem_device_rows *const list = &d->list[d->at];
     const size_t column = list->rows*sizeof(double);
 
@@ -193,8 +198,7 @@ int dem_device_put(struct dem_device *d, const struct dem_state *state)
     return dem_opencl_write(d->cl, &list->touch, 0, list->rows, d->word);
 }
 
-/* Zero where surfaces are apart. */
-static int clear_apart(struct dem_device *d, int columns)
+int dem_device_clear_apart(struct dem_device *d, int columns)
 {
     struct dem_device_rows *const list = &d->list[d->at];
 
@@ -242,10 +246,10 @@ static struct dem_contact_key key_of(const struct dem_state *state, const uint32
 }
 
 /* History of the device's own rows as saved history of the host, which has no lists then. */
-static int save_rows(struct dem_device *d, struct dem_state *state, const double *history)
+static int save_rows(struct dem_device *d, struct dem_state *state, const struct dem_device_rows *list,
+                     const double *history)
 {
     struct dem_contact_history *const h = &state->contacts.history;
-    const struct dem_device_rows *const list = &d->list[d->at];
     double values[DEM_HISTORY_COLUMNS];
 
     for (uint32_t row = 0; row < list->rows; row++)
@@ -272,18 +276,22 @@ static int save_rows(struct dem_device *d, struct dem_state *state, const double
     return DEM_OK;
 }
 
-static int get_saved(struct dem_device *d, struct dem_state *state)
+void dem_device_drop_host_rows(struct dem_contacts *c)
 {
-    struct dem_contacts *const c = &state->contacts;
-    const struct dem_device_rows *const list = &d->list[d->at];
-    const size_t numbers = (size_t)c->history.columns*list->rows;
-    double *history;
-
     dem_contact_forces_release(&c->forces);
     dem_contact_rows_clear(&c->rows);
     dem_contact_history_clear(&c->history);
     dem_contact_forces_clear(&c->forces);
+}
+
+int dem_device_get_saved(struct dem_device *d, struct dem_state *state, const struct dem_device_rows *list)
+{
+    const size_t numbers = (size_t)state->contacts.history.columns*list->rows;
+    double *history;
+
+    dem_device_drop_host_rows(&state->contacts);
     state->lists_state = DEM_NEIGHBORS_NONE;
+    state->contacts_on_device = 0;
     DEM_TRY(DEM_NEW(history, numbers + 1));
     const size_t near = d->of_near ? 4*(size_t)(list->rows - list->walls) : 0;
     int status = DEM_GROW(d->word, d->words, 2*(size_t)list->rows + near);
@@ -296,7 +304,7 @@ static int get_saved(struct dem_device *d, struct dem_state *state)
     status = status ? status
                     : dem_opencl_read(d->cl, &list->near, 0, near*sizeof *d->word,
                                       d->word + 2*(size_t)list->rows);
-    status = status ? status : save_rows(d, state, history);
+    status = status ? status : save_rows(d, state, list, history);
     dem_memory_free(history);
     return status;
 }
@@ -317,6 +325,6 @@ int dem_device_get(struct dem_device *d, struct dem_state *state)
     struct dem_contact_history *const h = &state->contacts.history;
 
     DEM_TRY(dem_device_get_particles(d, state));
-    DEM_TRY(h->columns > 0 ? clear_apart(d, h->columns) : DEM_OK);
-    return d->own ? get_saved(d, state) : get_rows(d, h);
+    DEM_TRY(h->columns > 0 ? dem_device_clear_apart(d, h->columns) : DEM_OK);
+    return d->own ? dem_device_get_saved(d, state, &d->list[d->at]) : get_rows(d, h);
 }

@@ -6,6 +6,8 @@
  * a report. A step of which the lists might miss a contact is left out by the kernels themselves, and so
  * are all after it. Then displacements are measured, and lists are made anew if they are used up.
  *
+ * Between coupling windows contacts may stay here (device_window.c).
+ *
  * With several ranks the host exchanges the data of ghosts in each step, and all ranks make the same steps
  * (device_ghosts.c).
  *
@@ -18,6 +20,7 @@
 #include "device/device_columns.h"
 #include "device/device_internal.h"
 #include "ranks/agree.h"
+#include "records/wall_statistics.h"
 #include <math.h>
 #include <string.h>
 
@@ -48,7 +51,7 @@ static int give_arguments(struct dem_device *d)
     DEM_TRY(DEM_OPENCL_GIVE(d->cl, d->bodies, 0, &d->batch, &d->report));
     return DEM_OPENCL_GIVE(d->cl, d->bodies, 3, &d->record, &list->touch, &d->force, &d->moment,
                            &d->energy, &list->start, &list->entry, &d->lost, &d->axes, &d->columns,
-                           &d->rates, &d->applied, &d->ids, &d->exact);
+                           &d->rates, &d->applied, &d->ids, &d->exact, &d->contact_sums);
 }
 
 static int launch_step(struct dem_device *d, const struct dem_state *state, uint32_t s)
@@ -98,6 +101,8 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
                                         const struct dem_device_steps *steps,
                                         const struct dem_device_progress *p)
 {
+    const int64_t first = steps->first + steps->made, last = steps->last - first;
+
     return (struct dem_device_batch){
         .dt = state->dt,
         .inverse_dt = 1.0/state->dt,
@@ -105,7 +110,7 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .window_start = state->window.start,
         .window = state->window.length,
         .over_window = state->window.length > 0.0 ? 1.0/state->window.length : 0.0,
-        .first = steps->first + steps->made,
+        .first = first,
         .first_of_all = steps->first,
         .number = state->steps + steps->made,
         .applied = (uint32_t)state->applied_forces.n,
@@ -116,7 +121,8 @@ static struct dem_device_batch batch_of(const struct dem_device *d, const struct
         .particles = (uint32_t)state->particles.n,
         .stride = d->list[d->at].rows,
         .column = (uint32_t)(state->particles.n + state->particles.ghosts),
-        .walls = d->list[d->at].walls};
+        .walls = d->list[d->at].walls,
+        .last = last >= 0 && last < DEM_DEVICE_BATCH ? (uint32_t)last : UINT32_MAX};
 }
 
 /* The steps of a batch, which the kernels leave out themselves when lists are used up. *made: how many. */
@@ -249,7 +255,7 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
         d->counts.repeated += until;
         return dem_agree(state, copy_state(d, state, 1));
     }
-    DEM_TRY(dem_agree(state, dem_device_add_sums(d, state)));
+    DEM_TRY(dem_agree(state, dem_device_add_sums(d, state, state->wall_statistics->sum)));
     d->wait = made > 0 ? 0 : d->wait;
     d->last_speed = made > 0 ? d->speed[steps->made + made - 1] : d->last_speed;
     steps->made += made;
@@ -261,34 +267,38 @@ static int advance_batch(struct dem_device *d, struct dem_state *state,
 static int make_steps(struct dem_device *d, struct dem_state *state,
                       struct dem_device_steps *steps)
 {
-    const struct dem_displacement *const since = &state->pairs.displacement[DEM_LIST_OUTER];
-    struct dem_device_progress p = {.rest = steps->rest(state),
-                                    .before = since->spread + sqrt(dem_vec_dot(since->centre, since->centre))};
+    struct dem_device_progress *const p = &d->progress;
     int end = 0;
 
+    p->checked = 0;
+    if (steps->last > 0 && !d->own)
+    {
+        /* contacts can stay here in lists made here */
+        DEM_TRY(dem_device_new_lists(d, state, steps, p, 0, &end));
+    }
     while (!end && steps->made < steps->most)
     {
         const int64_t before = steps->made;
         int changed = 0;
 
         DEM_TRY(steps->ends(state, before, &end));
-        if (!end && before > p.checked)
+        if (!end && before > p->checked)
         {
-            p.checked = before;
-            DEM_TRY(dem_device_check(d, state, steps, p.skin, &changed, &end));
+            p->checked = before;
+            DEM_TRY(dem_device_check(d, state, steps, p->skin, &changed, &end));
         }
         if (changed)
         {
-            DEM_TRY(dem_device_new_lists(d, state, steps, &p, 1, &end));
+            DEM_TRY(dem_device_new_lists(d, state, steps, p, 1, &end));
         }
-        else if (!end && p.moved <= p.rest)
+        else if (!end && p->moved <= p->rest)
         {
-            DEM_TRY(advance_batch(d, state, steps, &p, &end));
+            DEM_TRY(advance_batch(d, state, steps, p, &end));
         }
         if (!end && !changed && steps->made < steps->most &&
-            (p.moved > p.rest || steps->made == before))
+            (p->moved > p->rest || steps->made == before))
         {
-            DEM_TRY(dem_device_renew_lists(d, state, steps, &p, &end));
+            DEM_TRY(dem_device_renew_lists(d, state, steps, p, &end));
         }
     }
     return DEM_OK;
@@ -299,9 +309,20 @@ int dem_device_waits(const struct dem_state *state)
     return state->steps <= state->device->host_until;
 }
 
+/* State and lists of the host to the device, or what has changed since the last window. */
 static int begin_advance(struct dem_device *d, struct dem_state *state, const struct dem_device_steps *steps)
 {
+    const struct dem_displacement *const since = &state->pairs.displacement[DEM_LIST_OUTER];
+
     DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->contact_sums, steps->last > 0 ? 8*state->particles.n*sizeof(double) : 0));
+    if (state->contacts_on_device)
+    {
+        DEM_TRY(dem_device_put_window(d, state));
+        return dem_device_displacement(d, state, &d->progress.moved);
+    }
+    d->progress = (struct dem_device_progress){
+        .rest = steps->rest(state), .before = since->spread + sqrt(dem_vec_dot(since->centre, since->centre))};
     DEM_TRY(dem_device_put(d, state));
     return dem_device_refer(d, state);
 }
@@ -311,7 +332,9 @@ int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
     struct dem_device *const d = state->device;
 
     steps->made = 0;
-    DEM_TRY(dem_agree(state, begin_advance(d, state, steps)));
+    const int begun = begin_advance(d, state, steps);
+
+    DEM_TRY(dem_agree_max(state, begun, &d->progress.moved, 1));
     steps->speed = d->speed;
     DEM_TRY(make_steps(d, state, steps));
     dem_device_leave_walls(state, steps);
@@ -322,5 +345,7 @@ int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
     }
     d->counts.steps += steps->made;
     d->counts.parts++;
-    return dem_agree(state, dem_device_get(d, state));
+    return dem_agree(state, steps->last > 0 && steps->first + steps->made > steps->last
+                                ? dem_device_get_window(d, state)
+                                : dem_device_get(d, state));
 }

@@ -1,8 +1,8 @@
 /*
  * device_steps.h -- steps on a device, with the same bits as on the CPU.
  *
- * The host owns the state between advances. Within an advance it makes the steps that something
- * reads: the last one of a window, samples, backups. From a step on whose lists are valid the device
+ * The host owns the state between advances; contacts may stay on the device (dem_device_keep). Within an
+ * advance the host makes the steps that something reads: the last one of a window, samples, backups. From a step on whose lists are valid the device
  * makes the steps up to the next of these: the state is copied to it, steps and new lists are made,
  * the state is copied back (dem_device_advance). Whatever reads the state finds it on the host, and files do not
  * know of the device.
@@ -43,6 +43,9 @@ double dem_device_ghost_reach(const struct dem_state *);
 /* 1: the host has to make this step, up to an event or some steps after it. */
 int dem_device_waits(const struct dem_state *);
 
+/* Rows of a class of contacts in its present lists. */
+int64_t dem_device_rows_of(const struct dem_device *, int class);
+
 struct dem_device_counts
 {
     int64_t steps, parts;     /* made on the device, in so many parts between copies of the state */
@@ -54,6 +57,7 @@ void dem_device_count(const struct dem_device *, struct dem_device_counts *);
 struct dem_device_steps
 {
     int64_t first, most;      /* number of the first step in the window; so many steps, at most */
+    int64_t last;             /* the last step of the window, if the device makes it and keeps the contacts; else 0 */
     /* m  of a particle, from its position now, up to which the host's lists are valid, with the walls
        where they are */
     double (*rest)(const struct dem_state *);
@@ -73,5 +77,26 @@ struct dem_device_steps
 };
 
 /* Collective. Make steps. Before the call positions have been drifted and lists are valid for the first step; after
-   it positions have been drifted for the step that follows the last one made. */
+   it positions have been drifted for the step that follows the last one made, unless that has ended the window. */
 int dem_device_advance(struct dem_state *, struct dem_device_steps *);
+
+/* ---- contacts that stay on the device between windows (state->contacts_on_device) ---------------- */
+
+/* From now on they may. */
+void dem_device_keep(struct dem_state *);
+
+/* 1 when the device can make the last step of this window, and keep its contacts. */
+int dem_device_makes_last_step(const struct dem_state *);
+
+/* The forces of the last step on walls, times the kick [s], to the sums of each wall; as the saved ones of
+   records/wall_statistics.h. */
+int dem_device_kick_walls(struct dem_state *, double kick);
+int dem_device_save_wall_forces(struct dem_state *);
+
+/* Collective. The history of contacts to the host, which makes new lists in its next step; nothing if it is there.
+   between: 1: between two windows; the next half kick needs wall forces, which are saved. */
+int dem_device_return_contacts(struct dem_state *, int between);
+
+/* Contacts of a backup that stay on the device, and when the backup is put back. */
+int dem_device_backup(struct dem_state *);
+int dem_device_restore(struct dem_state *);

@@ -86,7 +86,7 @@ int dem_device_launch_loads(struct dem_device *d, const struct dem_state *state,
 }
 
 /* Where a sum of the device belongs. */
-static struct dem_sum *place_of(struct dem_state *state, size_t sum)
+static struct dem_sum *place_of(struct dem_state *state, struct dem_binned_sum *loads, size_t sum)
 {
     const size_t wall = sum/DEM_DEVICE_WALL_SUMS, k = sum%DEM_DEVICE_WALL_SUMS,
                  walls = (size_t)state->walls.walls;
@@ -96,7 +96,7 @@ static struct dem_sum *place_of(struct dem_state *state, size_t sum)
         return &state->energy_balance->sum[sum - DEM_DEVICE_WALL_SUMS*walls];
     }
     return !has_loads(state)     ? NULL
-           : k < DEM_BINNED_SUMS ? &state->wall_statistics->sum[wall].sum[k]
+           : k < DEM_BINNED_SUMS ? &loads[wall].sum[k]
                                  : &state->wall_statistics->work[wall];
 }
 
@@ -110,7 +110,7 @@ static void add_copies(struct dem_sum *to, const int64_t *digits, size_t copies)
     dem_sum_normalise(to);
 }
 
-int dem_device_add_sums(struct dem_device *d, struct dem_state *state)
+int dem_device_add_sums(struct dem_device *d, struct dem_state *state, struct dem_binned_sum *loads)
 {
     const size_t sums = count_sums(state), copies = count_copies(sums), of_sum = DEM_DEVICE_SUM*copies;
     int64_t *all;
@@ -124,9 +124,9 @@ int dem_device_add_sums(struct dem_device *d, struct dem_state *state)
 
     for (size_t k = 0; !status && k < sums; k++)
     {
-        if (place_of(state, k))
+        if (place_of(state, loads, k))
         {
-            add_copies(place_of(state, k), all + k*of_sum, copies);
+            add_copies(place_of(state, loads, k), all + k*of_sum, copies);
         }
     }
     dem_memory_free(all);

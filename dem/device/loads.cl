@@ -32,7 +32,7 @@ static void dem_row_point(constant struct dem_device_batch *b, uint s, uint row,
 static void dem_add_load(const struct dem_exact_sums *to, uint sum, double4 f, double4 m,
                          const double point[3], constant struct dem_device_axes *axes)
 {
-    const double dt = to->batch->dt;
+    const double dt = to->step == to->batch->last ? 0.5*to->batch->dt : to->batch->dt;
     double load[6] = {-dt*f.x, -dt*f.y, -dt*f.z}, at[3];
 
     for (int k = 0; k < 3; k++)

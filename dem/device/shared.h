@@ -156,4 +156,5 @@ struct dem_device_batch
     uint32_t copies;                        /*    of each exact sum: a power of two */
     int loads, work;                        /* 1: sums of loads on walls; of the work of walls that move */
     int64_t number;                         /*    of the first step of the batch, in the run */
+    uint32_t last;                          /*    the step that ends a window: half a kick, no drift */
 };

@@ -32,5 +32,6 @@ int dem_backup_restore(const struct dem_backup *b, struct dem_particles *p, stru
     DEM_TRY(dem_particles_copy(p, &b->particles));
     c->pairs.n = c->history.saved = 0;
     c->rows.n = 0;
+    c->forces.touching = 0;
     return dem_contacts_copy_saved(c, &b->history, p, NULL);
 }

@@ -135,7 +135,7 @@ static void add_particle(struct dem_binned_sum *motion, struct dem_sum sum[4], s
 
 int64_t dem_totals_touching(const struct dem_state *state)
 {
-    return state->contacts.rows.n > 0 ? state->contacts.forces.touching : 0;
+    return state->contacts.forces.touching;
 }
 
 /* Elastic energy and intact bonds are counted by the owner of the lower id; energy lost and broken
@@ -239,7 +239,14 @@ void dem_totals_wall_force(const struct dem_state *state, int wall, double force
     double value[6];
 
     dem_binned_sum_clear(&sum);
-    dem_wall_statistics_sum_forces(state, wall, 1.0, &sum);
+    if (state->wall_statistics->saved)
+    {
+        sum = state->wall_statistics->saved[wall];
+    }
+    else
+    {
+        dem_wall_statistics_sum_forces(state, wall, 1.0, &sum);
+    }
     dem_binned_sum_flush(&sum);
     dem_totals_reduce_sums(state, sum.sum, 6, value);
     memcpy(force, value, 3*sizeof *force);

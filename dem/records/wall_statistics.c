@@ -174,7 +174,7 @@ int dem_wall_statistics_save_forces(struct dem_state *state)
     return DEM_OK;
 }
 
-static void drop_forces(struct dem_wall_statistics *b)
+void dem_wall_statistics_drop_forces(struct dem_wall_statistics *b)
 {
     dem_memory_free(b->saved);
     b->saved = NULL;
@@ -192,7 +192,7 @@ static void add_held(struct dem_wall_statistics *b, double kick)
             dem_sum_add(&b->sum[w].sum[k], kick*dem_sum_value(&b->saved[w].sum[k]));
         }
     }
-    drop_forces(b);
+    dem_wall_statistics_drop_forces(b);
 }
 
 void dem_wall_statistics_add_kick(struct dem_state *state, double kick)
@@ -245,7 +245,7 @@ int dem_wall_statistics_restore(struct dem_wall_statistics *b)
 {
     const size_t n = (size_t)b->walls;
 
-    drop_forces(b);
+    dem_wall_statistics_drop_forces(b);
     if (b->sum && !b->backup)
     {
         return dem_wall_statistics_begin(b, b->walls);

@@ -39,6 +39,7 @@ void dem_wall_statistics_add_kick(struct dem_state *, double kick);
 /* Contact rows are about to be deleted, and no sweep follows before the next kick: save their
    forces. */
 int dem_wall_statistics_save_forces(struct dem_state *);
+void dem_wall_statistics_drop_forces(struct dem_wall_statistics *);
 
 /* Copy the sums, without an impulse of the present forces over `kick` [s], and these forces; put the
    copy back. Sums that began after the copy then begin again. */

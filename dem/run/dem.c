@@ -12,6 +12,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "device/device_steps.h"
 #include "records/snapshot.h"
 #include "records/energy_balance.h"
 #include "records/wall_statistics.h"
@@ -207,6 +208,7 @@ int dem_save(struct dem *d, const char *path)
     struct dem_snapshot s = {.steps = state->steps, .time = state->time, .domain = &state->domain};
 
     DEM_TRY(dem_sim_require_sound(d, "dem_save"));
+    DEM_TRY(dem_device_return_contacts(state, 1));
     memcpy(s.skin_tuning, &state->pairs.skins, sizeof state->pairs.skins);
     s.flows = state->flows->n;
     s.next_id = state->flows->next_id;
@@ -254,6 +256,7 @@ int dem_restore(struct dem *d, double *time)
                 "there is no backup to restore; dem_backup_every comes before dem_restore");
     DEM_TRY(dem_wall_statistics_restore(state->wall_statistics));
     DEM_TRY(dem_backup_restore(&state->backup, &state->particles, &state->contacts));
+    DEM_TRY(dem_device_restore(state));
     dem_flows_restore(state->flows);
     dem_wall_wear_restore(state);
     dem_energy_balance_restore(state->energy_balance, state->walls.walls);

@@ -13,6 +13,14 @@ const char *dem_device(const struct dem *d)
     return d->device;
 }
 
+void dem_device_keep_contacts(struct dem *d)
+{
+    if (d->state.device)
+    {
+        dem_device_keep(&d->state);
+    }
+}
+
 double dem_device_bytes(const struct dem *d)
 {
     return d->state.device ? dem_device_memory(&d->state) : 0.0;

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
+#include "device/device_steps.h"
 #include "ranks/collect.h"
 #include "records/energy_balance.h"
 #include "records/totals.h"
@@ -159,6 +160,7 @@ static void finish(struct dem *d, struct dem_edit *e)
 /* Save what belongs to the contact rows, and drop these. */
 static int drop_rows(struct dem_state *state)
 {
+    DEM_TRY(dem_device_return_contacts(state, 1));
     if (state->lists_state != DEM_NEIGHBORS_NONE)
     {
         DEM_TRY(dem_wall_statistics_save_forces(state));

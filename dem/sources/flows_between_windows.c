@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
+#include "device/device_steps.h"
 #include "ranks/agree.h"
 #include "ranks/dem_state.h"
 #include "records/energy_balance.h"
@@ -94,6 +95,7 @@ static int remove_outgoing(struct dem_state *state, const struct dem_outgoing_pa
 
 static int apply_changes(struct dem_state *state, uint32_t *order, size_t stay)
 {
+    DEM_TRY(dem_device_return_contacts(state, 1));
     if (state->lists_state != DEM_NEIGHBORS_NONE)
     {
         const int status = dem_wall_statistics_save_forces(state);

@@ -7,6 +7,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "step/neighbor_update.h"
+#include "device/device_steps.h"
 #include "ranks/agree.h"
 #include "records/timers.h"
 #include "sources/flows.h"
@@ -154,7 +155,7 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
     int changes, expired[DEM_LISTS] = {0, 0};
 
     DEM_TRY(dem_neighbor_check_particles(state, &changes));
-    if (state->lists_state == DEM_NEIGHBORS_VALID)
+    if (state->lists_state == DEM_NEIGHBORS_VALID && !state->contacts_on_device)
     {
         const int both = add_displacements(s, moved, n);
 
@@ -168,6 +169,7 @@ static int update_lists(struct dem_state *state, const double *moved, int n, int
     {
         dem_timers_begin_rare_phase(state->timers, DEM_PHASE_AGREE);
         dem_halo_wait(&state->halo);
+        DEM_TRY(dem_device_return_contacts(state, 0));
         DEM_TRY(dem_neighbor_rebuild(state));
         state->flows->now = state->flows->left = 0;
         dem_timers_end_rare_phase(state->timers, DEM_PHASE_REBUILD);
@@ -272,5 +274,13 @@ int dem_neighbor_update(struct dem_state *state, const double *moved, int n, int
         dem_halo_receive(&state->halo, &state->particles);
         dem_timers_end_phase(state->timers, DEM_PHASE_REFRESH);
     }
+    /* the device finds what touches its walls */
+    return state->walls.absorbing && !state->contacts_on_device ? absorb(state) : DEM_OK;
+}
+
+int dem_neighbor_take_back(struct dem_state *state)
+{
+    DEM_TRY(dem_device_return_contacts(state, 0));
+    DEM_TRY(dem_neighbor_rebuild(state));
     return state->walls.absorbing ? absorb(state) : DEM_OK;
 }

@@ -5,6 +5,7 @@
  */
 #include "step/step_backup.h"
 #include "step/cell_motion.h"
+#include "device/device_steps.h"
 #include "step/clump_batch.h"
 #include "particles/domain.h"
 #include "ranks/agree.h"
@@ -78,9 +79,11 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
         return DEM_OK;
     }
     dem_clumps_store(&state->clumps, &state->particles);
+    DEM_TRY(dem_device_save_wall_forces(state));
     DEM_TRY(dem_wall_statistics_backup(state, half_kick ? half_kick->kick : 0.0));
     DEM_TRY(dem_energy_balance_backup(state->energy_balance, walls));
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
+    DEM_TRY(dem_device_backup(state));
     dem_flows_backup(state->flows);
     dem_wall_wear_backup(state);
     dem_cell_backup(state);

@@ -5,6 +5,7 @@
  */
 #include "step/step_window.h"
 #include "core/clock.h"
+#include "device/device_steps.h"
 #include "particles/scalars.h"
 #include "ranks/agree.h"
 #include "records/energy_balance.h"
@@ -18,11 +19,18 @@
 #include "step/wall_bodies.h"
 
 /* The first half kick of a window, or the rest of it. */
-static void first_kick(struct dem_state *state, double kick)
+static int first_kick(struct dem_state *state, double kick)
 {
+    if (state->contacts_on_device)
+    {
+        DEM_TRY(dem_agree(state, dem_device_kick_walls(state, kick)));
+    }
     if (kick > 0.0)
     {
-        dem_wall_statistics_add_kick(state, kick);
+        if (!state->contacts_on_device)
+        {
+            dem_wall_statistics_add_kick(state, kick);
+        }
         if (state->walls.bodies > 0)
         {
             dem_wall_bodies_kick(state, kick);
@@ -37,6 +45,7 @@ static void first_kick(struct dem_state *state, double kick)
     }
     dem_domain_constrain(&state->domain, &state->particles);
     dem_timers_end_phase(state->timers, DEM_PHASE_BODIES);
+    return DEM_OK;
 }
 
 /* The clock is read once in 16 steps. */
@@ -133,7 +142,7 @@ int dem_step_window(struct dem_state *state, double dt, int64_t steps)
     {
         DEM_TRY(dem_agree(state, dem_step_ask_for_forces(state)));
     }
-    first_kick(state, 0.5*dt - done);
+    DEM_TRY(first_kick(state, 0.5*dt - done));
     return finish_window(state);
 }
 

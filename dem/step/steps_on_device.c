@@ -29,7 +29,7 @@ static int is_read(const struct dem_state *state, int64_t step)
     const int64_t number = state->window.steps_before + step;
     const double time = state->window.start + (double)step*state->dt;
 
-    return step >= state->window.steps || dem_grid_averages_due(state->averages, time) ||
+    return dem_grid_averages_due(state->averages, time) ||
            (state->backup.every > 0 && number >= state->backup.steps + state->backup.every);
 }
 
@@ -77,15 +77,16 @@ static int change(struct dem_state *state)
     return DEM_OK;
 }
 
-static int64_t count_steps(const struct dem_state *state, int64_t first)
+/* last: 1 when the device may make the last step of the window, too. */
+static int64_t count_steps(const struct dem_state *state, int64_t first, int last)
 {
     int64_t n = 0;
 
-    while (n < MOST_STEPS && !is_read(state, first + n))
+    while (n < MOST_STEPS && first + n < state->window.steps && !is_read(state, first + n))
     {
         n++;
     }
-    return n;
+    return n + (last && n < MOST_STEPS && first + n == state->window.steps);
 }
 
 /* Displacement [m] by which a particle may move until the first list is used up
@@ -154,27 +155,30 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
     state->timers->particle_steps += more*(int64_t)state->particles.n;
     for (int c = 0; c < state->contacts.rows.classes; c++)
     {
-        state->timers->row_steps += more*state->contacts.rows.segment[c].count;
+        state->timers->row_steps += more*dem_device_rows_of(state->device, c);
     }
-    state->next_drift.done = state->next_drift.counted = 1;
+    state->next_drift.done = state->next_drift.counted = !state->contacts_on_device;
     state->next_drift.max_speed = steps->speed[steps->made - 1];
 }
 
-int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
+static int make_steps(struct dem_state *state, int64_t first, int64_t *made)
 {
-    struct dem_device_steps steps = {.first = first};
+    const int last = dem_device_makes_last_step(state) &&
+                     !dem_grid_averages_due(state->averages, state->window.start + state->window.length);
+    struct dem_device_steps steps = {.first = first, .last = last ? state->window.steps : 0};
     /* the largest speed of this rank; whether a program adds forces on it */
     double max[2] = {state->next_drift.max_speed, state->applied_forces.program.add ? 1.0 : 0.0};
 
-    *made = 0;
     /* some of what refusal.c names can begin after the device was opened */
     if (dem_device_waits(state) || state->window.stopped || state->walls.following > 0)
     {
         return DEM_OK;
     }
-    steps.most = count_steps(state, first);
-    DEM_TRY(steps.most >= FEW_STEPS ? dem_agree_max(state, DEM_OK, max, 2) : DEM_OK);
-    if (steps.most < FEW_STEPS || max[1] > 0.0)
+    steps.most = count_steps(state, first, last);
+    const int enough = steps.most >= (state->contacts_on_device ? 1 : FEW_STEPS);
+
+    DEM_TRY(enough ? dem_agree_max(state, DEM_OK, max, 2) : DEM_OK);
+    if (!enough || max[1] > 0.0)
     {
         return DEM_OK;
     }
@@ -197,4 +201,12 @@ int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
     }
     *made = steps.made;
     return DEM_OK;
+}
+
+int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
+{
+    *made = 0;
+    DEM_TRY(make_steps(state, first, made));
+    /* the host makes this step, and needs the contacts */
+    return *made == 0 && state->contacts_on_device ? dem_neighbor_take_back(state) : DEM_OK;
 }

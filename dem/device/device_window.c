@@ -1,0 +1,177 @@
+/*
+ * device_window.c -- contacts that stay on the device from one coupling window to the next.
+ *
+ * The device makes the last step of a window, too. The host gets the particles and the sums of their contact
+ * forces, which the first half kick of the next window needs; it has no contact rows then
+ * (dem_state.contacts_on_device). Before anything reads these, dem_device_return_contacts brings their history back as
+ * saved history.
+ *
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "core/error.h"
+#include "core/memory.h"
+#include "device/device_internal.h"
+#include "ranks/agree.h"
+#include "records/energy_balance.h"
+#include "records/wall_statistics.h"
+#include <math.h>
+#include <string.h>
+
+int dem_device_makes_last_step(const struct dem_state *state)
+{
+    return state->device->keeps && dem_column(&state->particles, DEM_COLUMN_FLUID_VELOCITY) &&
+           !state->energy_balance->open && !state->contacts.forces.has_energy && !state->contacts.forces.all_rows &&
+           state->walls.frames == 0 && state->walls.all_flat_static;
+}
+
+void dem_device_keep(struct dem_state *state)
+{
+    state->device->keeps = 1;
+}
+
+/* ---- after the last step ------------------------------------------------------------------------ */
+
+/* Forces and torques of contacts, and how many there are, from two double4 a particle. */
+static int get_contact_sums(struct dem_device *d, struct dem_state *state)
+{
+    struct dem_particles *const p = &state->particles;
+    double *const force = dem_column(p, DEM_COLUMN_FORCE), *const torque = dem_column(p, DEM_COLUMN_TORQUE);
+    double *sum;
+
+    DEM_TRY(DEM_NEW(sum, 8*p->n + 1));
+    const int status = dem_opencl_read(d->cl, &d->contact_sums, 0, 8*p->n*sizeof *sum, sum);
+
+    for (size_t i = 0; !status && i < p->n; i++)
+    {
+        memcpy(force + 3*i, sum + 8*i, 3*sizeof *sum);
+        memcpy(torque + 3*i, sum + 8*i + 4, 3*sizeof *sum);
+        state->contacts.forces.touching += (int64_t)sum[8*i + 3];
+    }
+    dem_memory_free(sum);
+    return status;
+}
+
+int dem_device_get_window(struct dem_device *d, struct dem_state *state)
+{
+    DEM_TRY(dem_device_get_particles(d, state));
+    dem_device_drop_host_rows(&state->contacts);
+    DEM_TRY(get_contact_sums(d, state));
+    state->contacts_on_device = 1;
+    return DEM_OK;
+}
+
+/* ---- forces on walls in the last step ----------------------------------------------------------- */
+
+/* Add them, times `factor`, to the sums of each wall. */
+static int sum_wall_forces(struct dem_device *d, struct dem_state *state, double factor, struct dem_binned_sum *to)
+{
+    struct dem_device_batch batch = {.dt = factor,
+                                     .particles = (uint32_t)state->particles.n,
+                                     .walls = d->list[d->at].walls,
+                                     .limit = {INFINITY},
+                                     .last = UINT32_MAX};
+    const struct dem_device_report report = {.events = 0};
+
+    DEM_TRY(dem_device_begin_sums(d, state, &batch));
+    DEM_TRY(dem_opencl_write(d->cl, &d->batch, 0, sizeof batch, &batch));
+    DEM_TRY(dem_opencl_write(d->cl, &d->report, 0, sizeof report, &report));
+    DEM_TRY(dem_device_give_loads(d));
+    DEM_TRY(dem_device_launch_loads(d, state, 0));
+    return dem_device_add_sums(d, state, to);
+}
+
+int dem_device_kick_walls(struct dem_state *state, double kick)
+{
+    struct dem_wall_statistics *const b = state->wall_statistics;
+
+    dem_wall_statistics_drop_forces(b);
+    return b->sum && kick > 0.0 ? sum_wall_forces(state->device, state, kick, b->sum) : DEM_OK;
+}
+
+int dem_device_save_wall_forces(struct dem_state *state)
+{
+    struct dem_wall_statistics *const b = state->wall_statistics;
+
+    if (!state->contacts_on_device || !b->sum || b->saved)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_NEW(b->saved, b->walls + 1));
+    for (int w = 0; w < b->walls; w++)
+    {
+        dem_binned_sum_clear(&b->saved[w]);
+    }
+    return sum_wall_forces(state->device, state, 1.0, b->saved);
+}
+
+/* ---- contacts back to the host ------------------------------------------------------------------ */
+
+static int get_contacts(struct dem_state *state, int between)
+{
+    struct dem_device *const d = state->device;
+    const int columns = state->contacts.history.columns;
+    const int64_t touching = state->contacts.forces.touching;
+
+    DEM_TRY(between ? dem_device_save_wall_forces(state) : DEM_OK);
+    DEM_TRY(columns > 0 ? dem_device_clear_apart(d, columns) : DEM_OK);
+    DEM_TRY(dem_device_get_saved(d, state, &d->list[d->at]));
+    state->contacts.forces.touching = touching;
+    return DEM_OK;
+}
+
+int dem_device_return_contacts(struct dem_state *state, int between)
+{
+    return state->contacts_on_device ? dem_agree(state, get_contacts(state, between)) : DEM_OK;
+}
+
+/* ---- the backup --------------------------------------------------------------------------------- */
+
+static int copy(struct dem_device *d, const struct dem_opencl_memory *from, struct dem_opencl_memory *to, size_t bytes)
+{
+    DEM_TRY(dem_opencl_reserve(d->cl, to, bytes));
+    return dem_opencl_copy(d->cl, from, to, bytes);
+}
+
+int dem_device_backup(struct dem_state *state)
+{
+    struct dem_device *const d = state->device;
+
+    if (d)
+    {
+        d->backup.list.rows = 0;
+    }
+    if (!state->contacts_on_device)
+    {
+        return DEM_OK;
+    }
+    struct dem_device_rows *const list = &d->list[d->at], *const to = &d->backup.list;
+    const size_t rows = list->rows, columns = (size_t)state->contacts.history.columns,
+                 ghosts = state->particles.ghosts;
+
+    DEM_TRY(columns > 0 ? dem_device_clear_apart(d, (int)columns) : DEM_OK);
+    DEM_TRY(copy(d, &list->partners, &to->partners, 2*rows*sizeof(uint32_t)));
+    DEM_TRY(copy(d, &list->history, &to->history, columns*rows*sizeof(double)));
+    DEM_TRY(copy(d, &list->near, &to->near, d->of_near ? 4*(rows - list->walls)*sizeof(uint32_t) : 0));
+    DEM_TRY(DEM_GROW(d->backup.ghost, d->backup.capacity, ghosts + 1));
+    memcpy(d->backup.ghost, state->particles.record + state->particles.n, ghosts*sizeof *d->backup.ghost);
+    d->backup.ghosts = ghosts;
+    to->walls = list->walls;
+    to->rows = list->rows;
+    return DEM_OK;
+}
+
+int dem_device_restore(struct dem_state *state)
+{
+    struct dem_device *const d = state->device;
+
+    state->contacts_on_device = 0;
+    if (!d || d->backup.list.rows == 0)
+    {
+        return DEM_OK;
+    }
+    const size_t n = state->particles.n;
+
+    DEM_TRY(dem_particles_grow(&state->particles, n + d->backup.ghosts));
+    memcpy(state->particles.record + n, d->backup.ghost, d->backup.ghosts*sizeof *d->backup.ghost);
+    return dem_device_get_saved(d, state, &d->backup.list);
+}
