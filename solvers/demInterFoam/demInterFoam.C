@@ -20,8 +20,7 @@ Description
     F       volume flux of the fluids (phaseTransport.H, totalFlux.H)
     U       interstitial velocity                                    [m/s]
     p_rgh   pressure without the hydrostatic part rho g.x, with g here without gc [Pa]
-    gc, rho_0  gravity along the periods of cyclic patches, least density at the start of the
-            run                                              [m/s2], [kg/m3]
+    gc, rho_0  gravity along the periods of cyclic patches, least density now [m/s2], [kg/m3]
     rho, tau  density and stress of the mixture (twoFluids.H)
     F_p, K  explicit part of the particles' reaction, and coefficient of the
             implicit part (demExchange.H)                 [N/m3], [kg/m3/s]
