@@ -10,6 +10,7 @@
 #include "dem_fluid.h"
 #include "core/error.h"
 #include "core/memory.h"
+#include "device/device_steps.h"
 #include <fenv.h>
 #include <string.h>
 
@@ -51,6 +52,11 @@ int dem_flow_remove(struct dem *d, const char *patch, int64_t n, const int64_t *
     return DEM_OK;
 }
 
+static int take_contacts_back(struct dem_state *state)
+{
+    return dem_device_return_contacts(state, 1);
+}
+
 int dem_flow_apply(struct dem *d, int *changed)
 {
     fenv_t caller;
@@ -62,7 +68,7 @@ int dem_flow_apply(struct dem *d, int *changed)
     DEM_TRY(dem_sim_require_sound(d, "dem_flow_apply"));
     feholdexcept(&caller);
     const int status =
-        dem_flows_between_windows(&d->state, d->outgoing_count, d->outgoing, changed);
+        dem_flows_between_windows(&d->state, d->outgoing_count, d->outgoing, take_contacts_back, changed);
 
     fesetenv(&caller);
     d->outgoing_count = 0;

@@ -132,9 +132,9 @@ struct dem_outgoing_particle    /* a particle that the program removes */
 
 /* Collective. Between two windows: remove the particles in outlets and the listed ones of this
    rank, and insert those due. `changed`: 1 on all ranks when any particle was inserted or removed.
-   Sorts `outgoing`. */
+   before_changes: called if any will be. Sorts `outgoing`. */
 int dem_flows_between_windows(struct dem_state *, size_t n, struct dem_outgoing_particle *outgoing,
-                              int *changed);
+                              int (*before_changes)(struct dem_state *), int *changed);
 
 /* The first half kick of a window, over `kick` [s], still gives the partners of removed particles
    the reaction of their contact forces. The removed momentum gets the opposite impulse. */

@@ -13,7 +13,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
-#include "device/device_steps.h"
 #include "ranks/agree.h"
 #include "ranks/dem_state.h"
 #include "records/energy_balance.h"
@@ -95,7 +94,6 @@ static int remove_outgoing(struct dem_state *state, const struct dem_outgoing_pa
 
 static int apply_changes(struct dem_state *state, uint32_t *order, size_t stay)
 {
-    DEM_TRY(dem_device_return_contacts(state, 1));
     if (state->lists_state != DEM_NEIGHBORS_NONE)
     {
         const int status = dem_wall_statistics_save_forces(state);
@@ -115,7 +113,7 @@ static int apply_changes(struct dem_state *state, uint32_t *order, size_t stay)
 }
 
 int dem_flows_between_windows(struct dem_state *state, size_t n, struct dem_outgoing_particle *outgoing,
-                              int *changed)
+                              int (*before_changes)(struct dem_state *), int *changed)
 {
     double changes;
     uint32_t *order = NULL;
@@ -137,7 +135,8 @@ int dem_flows_between_windows(struct dem_state *state, size_t n, struct dem_outg
     if (!status && changes > 0.0)
     {
         *changed = 1;
-        status = apply_changes(state, order, stay);
+        status = before_changes(state);
+        status = status ? status : apply_changes(state, order, stay);
     }
     dem_flows_end_check(state);
     dem_memory_free(order);
