@@ -6,6 +6,7 @@
 #include "case/dem_case.h"
 #include "case/restart.h"
 #include "core/error.h"
+#include "core/memory.h"
 #include "ranks/collect.h"
 #include "records/totals.h"
 #include "step/neighbor_rebuild.h"
@@ -18,7 +19,7 @@ static int refuse(struct dem_state *state, double limit, unsigned flags, const c
 {
     struct dem_overlap pair, wall;
 
-    dem_totals_max_overlap(state, flags, &pair, &wall);
+    dem_totals_max_overlap(state, flags, NULL, &pair, &wall);
     DEM_REQUIRE(wall.fraction <= limit || wall.fraction <= pair.fraction,
                 DEM_ERROR_INPUT,
                 "particle %lld at (%g %g %g) m overlaps wall %s by %.3g of a diameter at the "
@@ -91,7 +92,7 @@ int dem_sim_with_lists(struct dem *d, int (*look)(struct dem *))
 
 static int measure_overlap(struct dem *d)
 {
-    return dem_totals_max_overlap_over_ranks(&d->state, &d->start_pair, &d->start_wall);
+    return dem_totals_max_overlap_over_ranks(&d->state, d->start_walls, &d->start_pair, &d->start_wall);
 }
 
 static int refuse_inserted_overlap(struct dem *d)
@@ -120,14 +121,15 @@ int dem_sim_check_inserted(struct dem_case *c)
     return DEM_OK;
 }
 
-/* Refuse a wall that is new at a restart, or has another form, in the place of particles. */
+/* Refuse a wall that is new at a restart, or has another form, in the place of particles; only such walls have been
+   measured. */
 static int refuse_new_walls(const struct dem_case *c)
 {
     const struct dem *const d = c->d;
     const struct dem_overlap *const wall = &d->start_wall;
     const double limit = fmax(d->scene.max_start_overlap, 2.0*d->start_pair.fraction);
 
-    DEM_REQUIRE(wall->fraction <= limit || dem_sim_wall_goes_on(c, (int)wall->partner), DEM_ERROR_INPUT,
+    DEM_REQUIRE(wall->fraction <= limit, DEM_ERROR_INPUT,
                 "wall %s is new in the scene of the restart, or has another form or place, and overlaps particle %lld at "
                 "(%g %g %g) m by %.3g of a diameter, the limit is %.3g; move the wall",
                 d->state.walls.wall[wall->partner].name, (long long)wall->id, wall->x[0], wall->x[1], wall->x[2],
@@ -138,16 +140,22 @@ static int refuse_new_walls(const struct dem_case *c)
 int dem_sim_check_start(struct dem_case *c)
 {
     const int walls = c->d->state.walls.walls;
-    int others = c->new_run ? walls : 0;
+    int count = 0, status = DEM_OK;
+    char *others;
 
-    for (int k = 0; c->load_path[0] && k < walls; k++)
+    DEM_TRY(DEM_NEW(others, walls));
+    for (int k = 0; k < walls; k++)
     {
-        others += !dem_sim_wall_goes_on(c, k);
+        others[k] = c->new_run || (c->load_path[0] && !dem_sim_wall_goes_on(c, k));
+        count += others[k];
     }
-    if (others == 0)
+    if (count > 0)
     {
-        return DEM_OK;
+        c->d->start_walls = others;
+        status = dem_sim_with_lists(c->d, measure_overlap);
+        c->d->start_walls = NULL;
+        status = status ? status : c->new_run ? refuse_other_walls(c) : refuse_new_walls(c);
     }
-    DEM_TRY(dem_sim_with_lists(c->d, measure_overlap));
-    return c->new_run ? refuse_other_walls(c) : refuse_new_walls(c);
+    dem_memory_free(others);
+    return status;
 }

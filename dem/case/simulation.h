@@ -62,7 +62,8 @@ struct dem
     const struct dem_effect *fluid_user;                  /* an effect that needs the fluid of the
                                                              run; NULL: none */
     struct dem_overlap start_pair, start_wall;            /* largest ones at a start that is
-                                                             checked */
+                                                             checked, */
+    const char *start_walls;                              /* of walls with 1 here; NULL: of all */
     struct dem_snapshot_scene before;                     /* of the snapshot that the run continues
                                                              (case/restart.h) */
     char **note;                                          /* sentences on its differences */

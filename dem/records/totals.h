@@ -67,10 +67,11 @@ struct dem_overlap
     double x[3];          /* m  of the particle */
 };
 
-/* flags: of contacts of particles with one of these flags only; 0: of all. */
-void dem_totals_max_overlap(struct dem_state *, unsigned flags, struct dem_overlap *pair,
+/* flags: of contacts of particles with one of these flags only; 0: of all. `walls`: 1 for each wall that
+   counts; NULL: all count. */
+void dem_totals_max_overlap(struct dem_state *, unsigned flags, const char *walls, struct dem_overlap *pair,
                             struct dem_overlap *wall);
-int dem_totals_max_overlap_over_ranks(struct dem_state *, struct dem_overlap *pair,
+int dem_totals_max_overlap_over_ranks(struct dem_state *, const char *walls, struct dem_overlap *pair,
                                       struct dem_overlap *wall);
 
 /* Collective. Sauter mean diameter of all particles, sum d^3/sum d^2 [m]; 0 without particles. */

@@ -11,6 +11,12 @@
 #include <math.h>
 #include <string.h>
 
+/* The wall of a contact. */
+static int wall_of(const struct dem_state *state, const struct dem_pair *q)
+{
+    return state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall;
+}
+
 /* 1 when a partner has one of these flags. */
 static int has_flags(const struct dem_state *state, const struct dem_pair *q, unsigned flags)
 {
@@ -18,7 +24,7 @@ static int has_flags(const struct dem_state *state, const struct dem_pair *q, un
         || (!q->wall && (state->particles.record[q->j].flags & flags));
 }
 
-void dem_totals_max_overlap(struct dem_state *state, unsigned flags, struct dem_overlap *pair,
+void dem_totals_max_overlap(struct dem_state *state, unsigned flags, const char *walls, struct dem_overlap *pair,
                             struct dem_overlap *wall)
 {
     *pair = *wall = (struct dem_overlap){.fraction = 0.0};
@@ -28,7 +34,9 @@ void dem_totals_max_overlap(struct dem_state *state, unsigned flags, struct dem_
         const struct dem_pair *const any = state->contacts.rows.pair[r] == DEM_ROW_NONE
                                                ? NULL
                                                : dem_contacts_pair(&state->contacts, r);
-        const struct dem_pair *const q = any && (!flags || has_flags(state, any, flags)) ? any : NULL;
+        const int counts = any && (!flags || has_flags(state, any, flags))
+                        && (!any->wall || !walls || walls[wall_of(state, any)]);
+        const struct dem_pair *const q = counts ? any : NULL;
         const struct dem_particle *const a = q ? &state->particles.record[q->i] : NULL;
         struct dem_overlap *const worst = q && q->wall ? wall : pair;
         double overlap = 0.0, radius = 1.0;
@@ -52,8 +60,7 @@ void dem_totals_max_overlap(struct dem_state *state, unsigned flags, struct dem_
         {
             worst->fraction = 0.5*overlap/radius;
             worst->id = a->id;
-            worst->partner = q->wall ? state->walls.facet[dem_pairs_facet(&state->pairs, q->j)].wall
-                                     : state->particles.record[q->j].id;
+            worst->partner = q->wall ? wall_of(state, q) : state->particles.record[q->j].id;
             memcpy(worst->x, a->x, sizeof a->x);
         }
     }
@@ -81,10 +88,10 @@ static int max_over_ranks(const struct dem_decomposition *q, struct dem_overlap 
     return DEM_OK;
 }
 
-int dem_totals_max_overlap_over_ranks(struct dem_state *state, struct dem_overlap *pair,
+int dem_totals_max_overlap_over_ranks(struct dem_state *state, const char *walls, struct dem_overlap *pair,
                                       struct dem_overlap *wall)
 {
-    dem_totals_max_overlap(state, 0, pair, wall);
+    dem_totals_max_overlap(state, 0, walls, pair, wall);
     DEM_TRY(max_over_ranks(&state->decomposition, pair));
     return max_over_ranks(&state->decomposition, wall);
 }

@@ -369,6 +369,31 @@ static void history(void)
            dem_error_text());
 }
 
+/* A soft ball sinks into its floor by more than a new wall may be in it. */
+static void wall_in_soft_bed(void)
+{
+    static const char soft[] =
+        "materials { gel { density 2500; youngsModulus 1.5e3; } }"
+        "effects { gravity { acceleration (0 0 -9.81); } hertz {} dry { restitution 0.3; } }"
+        "walls { floor { type plane; point (0 0 0); normal (0 0 1); } }"
+        "insert { ball { type list; diameter 2e-3; positions ((0 0 1e-3)); } } ";
+    static const char *const in[][2] = {{"walls/side", "{ type plane; point (8.4e-4 0 0); normal (-1 0 0); }"}};
+    static const char *const beside[][2] = {{"walls/side", "{ type plane; point (9.4e-4 0 0); normal (-1 0 0); }"}};
+    struct dem *d = start(soft);
+
+    world_run(d, 0.1);
+    WORLD_TRY(dem_save(d, file));
+    const double sunk = 0.5 - world_at(d, 0).x[2]/2e-3;
+
+    dem_free(d);
+    TAP_OK(sunk > 0.09, "a soft ball has sunk into its floor by %.3f diameters", sunk);
+    TAP_OK(load(&d, soft, 1, in) != 0 && strstr(dem_error_text(), "wall side is new in the scene of the restart, or "),
+           "a new wall in it by 0.08 is refused: %s", dem_error_text());
+    d = resume(soft, 1, beside);
+    TAP_OK(says(d, "walls/side is new"), "one in it by 0.03 is not");
+    dem_free(d);
+}
+
 /* A stretched bond between two spheres that turn round each other breaks at once at a lower strength. */
 static void broken_bond(void)
 {
@@ -464,6 +489,7 @@ int main(void)
     motions();
     rotation_by_angle();
     history();
+    wall_in_soft_bed();
     broken_bond();
     entries();
     remove(file);
