@@ -337,14 +337,25 @@ double dem_totals_sauter_diameter(const struct dem_state *state)
     return value[1] > 0.0 ? value[0]/value[1] : 0.0;
 }
 
-int dem_totals_any_driven(const struct dem_state *state)
+/* 1 if the flags of a particle on any rank, among those in `mask`, are these. */
+static int any_flags(const struct dem_state *state, unsigned mask, unsigned flags)
 {
     int64_t count = 0;
 
     for (size_t i = 0; i < state->particles.n; i++)
     {
-        count += (state->particles.record[i].flags & DEM_PARTICLE_DRIVEN) != 0;
+        count += (state->particles.record[i].flags & mask) == flags;
     }
     dem_collect_sum_int64(&state->decomposition, &count, 1);
     return count > 0;
+}
+
+int dem_totals_any_driven(const struct dem_state *state)
+{
+    return any_flags(state, DEM_PARTICLE_DRIVEN, DEM_PARTICLE_DRIVEN);
+}
+
+int dem_totals_any_free(const struct dem_state *state)
+{
+    return any_flags(state, DEM_PARTICLE_FROZEN, 0);
 }

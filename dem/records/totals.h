@@ -79,3 +79,6 @@ double dem_totals_sauter_diameter(const struct dem_state *);
 
 /* Collective. 1 if a rank has a driven particle. */
 int dem_totals_any_driven(const struct dem_state *);
+
+/* Collective. 1 if a rank has a particle that forces move. */
+int dem_totals_any_free(const struct dem_state *);

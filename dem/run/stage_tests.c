@@ -78,18 +78,20 @@ static double next_end(struct dem *d)
 
 /* ---- tests ----------------------------------------------------------------------------------- */
 
-static int rests(struct dem *d, struct dem_run_stage *s, int *ended)
+/* *why: what has ended the stage, or NULL. */
+static int rests(struct dem *d, struct dem_run_stage *s, const char **why)
 {
     struct dem_totals t;
 
     DEM_TRY(dem_totals(d, &t));
     d->state.limits.overlap = t.largest_overlap;    /* for the next call of the program */
     DEM_TRY(dem_quiet_test(d, &s->quiet, &t));
-    *ended = s->quiet.reached;
+    *why = !s->quiet.reached ? NULL
+           : dem_totals_any_free(&d->state) ? "the particles rest" : "no particle can move, and none is to come";
     return DEM_OK;
 }
 
-static int carries(struct dem *d, struct dem_run_stage *s, int *ended)
+static int carries(struct dem *d, struct dem_run_stage *s, const char **why)
 {
     double force[3], torque[3];
 
@@ -99,7 +101,7 @@ static int carries(struct dem *d, struct dem_run_stage *s, int *ended)
     const int there = s->within > 0.0 ? fabs(load - s->load) <= s->within*s->load : load >= s->load;
 
     s->since = !there ? INFINITY : isfinite(s->since) ? s->since : d->state.time;
-    *ended = there && d->state.time - s->since >= s->lasting*(1.0 - 1e-9);
+    *why = there && d->state.time - s->since >= s->lasting*(1.0 - 1e-9) ? "the load is reached" : NULL;
     return DEM_OK;
 }
 
@@ -116,13 +118,13 @@ static int test_stage(struct dem *d, const char **why)
     struct dem_run_stages *const s = &d->scene.stages;
     struct dem_run_stage *const now = &s->stage[s->present];
     const double past = d->state.time + same_time*d->step - now->begin;
-    int ended = 0;
 
+    *why = NULL;
     if (now->until && (d->coupled || is_test(s, d->state.time)))
     {
-        DEM_TRY(now->until == DEM_UNTIL_QUIET ? rests(d, now, &ended) : carries(d, now, &ended));
+        DEM_TRY(now->until == DEM_UNTIL_QUIET ? rests(d, now, why) : carries(d, now, why));
     }
-    *why = ended                  ? now->until == DEM_UNTIL_QUIET ? "the particles rest" : "the load is reached"
+    *why = *why                    ? *why
            : past >= now->duration ? "its time is over"
            : past >= now->at_most  ? "atMost is over, without what it waited for"
                                    : NULL;

@@ -13,7 +13,8 @@
  *      at the turning point all particles are slow at once, but their weight is not carried.
  *
  *   3. all streams and groups have inserted their particles. In a run with stages this concerns those that
- *      have begun, and there must be a particle.
+ *      have begun; while no particle is free to move, also those whose beginning is known. Without such a
+ *      particle, and none to come, a stage has rest.
  *
  * A clump counts once, with its mass, in the mean, too.
  *
@@ -114,15 +115,6 @@ static int walls_move(const struct dem *d, const struct dem_quiet *q, const stru
     return moves;
 }
 
-/* 1 while particles are still to come. */
-static int awaits_particles(const struct dem *d, const struct dem_totals *t)
-{
-    const int staged = d->scene.stages.n > 0;
-
-    return (staged && t->particles == 0)
-        || dem_flows_insert_by(&d->state, staged ? t->time : DBL_MAX);
-}
-
 int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *t)
 {
     const double n = t->bodies > 0 ? (double)t->bodies : 1.0;
@@ -141,8 +133,10 @@ int dem_quiet_test(struct dem *d, struct dem_quiet *q, const struct dem_totals *
     const int falls = dem_gravity_acceleration(d, g) && t->weight > 0.0;
 
     q->wait = q->lasting > 0.0 || !falls ? q->lasting : default_lasting(d, t, g);
-    const int rests = !awaits_particles(d, t) && !walls_move(d, q, t)
-                   && (double)q->move <= q->moving*(double)t->bodies && balanced(q, t);
+    const int staged = d->scene.stages.n > 0, empty = staged && !dem_totals_any_free(&d->state),
+              awaits = dem_flows_insert_by(&d->state, staged && !empty ? t->time : DBL_MAX),
+              rests = !awaits && !walls_move(d, q, t)
+                   && (empty || ((double)q->move <= q->moving*(double)t->bodies && balanced(q, t)));
 
     q->since = !rests ? INFINITY : isfinite(q->since) ? q->since : t->time;
     q->reached = t->time - q->since >= q->wait*(1.0 - 1e-9);

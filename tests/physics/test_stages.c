@@ -98,6 +98,42 @@ static void test_stream(void)
     }
 }
 
+/* Without a particle that can move a stage ends at once, unless a group or stream is to come in it. */
+static void test_nothing_to_move(void)
+{
+    static const char *const scenes[][2] = {
+        {"no particle", "insert { ball { type list; at drop; diameter 1e-3; positions ((0 0 0.0055)); } } "},
+        {"a frozen particle", "insert { base { type list; frozen yes; diameter 1e-3; positions ((0.1 0 0.0005)); } "
+         "ball { type list; at drop; diameter 1e-3; positions ((0 0 0.0055)); } } "},
+        {"a driven particle", "insert { base { type list; driven yes; diameter 1e-3; velocity (0.1 0 0); "
+         "positions ((0.1 0 0.0005)); } ball { type list; at drop; diameter 1e-3; positions ((0 0 0.0055)); } } "},
+        {"no particle before 0.05 s",
+         "insert { ball { type list; at 0.05; diameter 1e-3; positions ((0 0 0.0055)); } } "},
+        {"a frozen particle before 0.05 s", "insert { base { type list; frozen yes; diameter 1e-3; positions ((0.1 0 "
+         "0.0005)); } ball { type list; at 0.05; diameter 1e-3; positions ((0 0 0.0055)); } } "}};
+    const double rest = 3.0*sqrt(2.0*0.005/10.0);
+
+    for (size_t k = 0; k < sizeof scenes/sizeof *scenes; k++)
+    {
+        struct dem *const d = world(
+            world_text(GLASS "time { step 5e-6; } stages { fill { until quiet; atMost 2; } drop { until quiet; } "
+                       "after {} } walls { " FLOOR "} } %s", scenes[k][1]), 0, NULL);
+        const int waits = k > 2;
+        const char *why;
+        double drop, after;
+
+        world_run(d, 0.8);
+        (void)dem_run_stage(d, 2, &after, &why);
+        (void)dem_run_stage(d, 1, &drop, &why);
+        TAP_OK(waits ? drop > 0.05 + rest && drop < 0.15 + rest : drop < 0.02 && strstr(why, "none is to come") != NULL,
+               "%s: a stage that waits for rest ends at %.3g s, as %s", scenes[k][0], drop, why);
+        /* a driven particle counts as one that moves */
+        TAP_OK(waits || k == 2 || (after > rest && after < rest + 0.15), "and the next one %s: at %.3g s",
+               waits ? "has the particle" : "waits for the ball that comes with it", after);
+        dem_free(d);
+    }
+}
+
 /* A plane comes down on a column of three balls until it is pressed with 10 mN. */
 static void test_load(void)
 {
@@ -314,6 +350,7 @@ int main(void)
     test_durations();
     test_rest();
     test_stream();
+    test_nothing_to_move();
     test_load();
     test_gate();
     test_lid_that_comes();
