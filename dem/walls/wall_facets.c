@@ -3,17 +3,16 @@
  *
  * 1. Sort the triangles; drop duplicates and triangles without area (wall_triangles.c).
  * 2. Weld corners that coincide within a tolerance.
- * 3. Join triangles that share an edge and are coplanar (union-find); mark the edges on the rim of
+ * 3. Join triangles that share an edge and are coplanar (union-find, facet_links.h); mark the edges on the rim of
  *    a facet, where all its triangles lie on one side. That may be two triangles: the sides of a
  *    baffle (a plate without thickness) may be cut along different diagonals.
- *    Along periodic axes corners and edges also meet images of others. Each image has an offset, a
- *    number of periods, and union-find adds up the offsets along its links. A facet that meets itself a
- *    period away is joined to its own image and has no end there.
+ *    Along periodic axes corners and edges also meet images of others.
  * 4. Number the facets in the order of the sorted triangles; the plane is taken from the largest
  *    triangle.
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "walls/facet_links.h"
 #include "walls/wall_corners.h"
 #include "walls/wall_triangles.h"
 #include "core/error.h"
@@ -82,72 +81,6 @@ static void make_edge(const struct dem_vertex *vertex, size_t k, struct edge *e)
     }
 }
 
-/* of union-find: a triangle, displaced by `offset` periods, lies where it belongs beside its parent */
-struct link
-{
-    size_t parent;
-    int offset[3];
-    uint8_t endless;              /* of a root, see struct dem_facet */
-};
-
-/* The root of a triangle, and the offset of the triangle from there. */
-static size_t find_root(struct link *link, size_t t, int offset[3])
-{
-    memset(offset, 0, 3*sizeof *offset);
-    while (link[t].parent != t)
-    {
-        const struct link *const up = &link[link[t].parent];
-
-        for (int k = 0; k < 3; k++)
-        {
-            link[t].offset[k] += up->offset[k];           /* 0 of a root */
-            offset[k] += link[t].offset[k];
-        }
-        t = link[t].parent = up->parent;
-    }
-    return t;
-}
-
-/* A facet continues in its own image, `total` periods away. Along one axis, besides those where it is endless
-   already, that makes it endless: its images by one period lie in its plane. */
-static void meet_itself(struct link *root, const int total[3])
-{
-    int axes = 0, along = 0;
-
-    for (int k = 0; k < 3; k++)
-    {
-        if (total[k] != 0 && !(root->endless >> k & 1))
-        {
-            axes++;
-            along = k;
-        }
-    }
-    root->endless |= (uint8_t)((axes == 1) << along);
-}
-
-/* Triangle t, displaced by `offset` periods, continues triangle s: one facet. */
-static void unite(struct link *link, size_t s, size_t t, const int offset[3])
-{
-    int of_s[3], of_t[3], total[3];
-    const size_t rs = find_root(link, s, of_s), rt = find_root(link, t, of_t);
-
-    for (int k = 0; k < 3; k++)
-    {
-        total[k] = of_s[k] + offset[k] - of_t[k];
-    }
-    if (rs == rt)
-    {
-        meet_itself(&link[rs], total);
-        return;
-    }
-    for (int k = 0; k < 3; k++)
-    {
-        link[rs < rt ? rt : rs].offset[k] = rs < rt ? total[k] : -total[k];
-    }
-    link[rs < rt ? rt : rs].parent = rs < rt ? rs : rt;
-    link[rs < rt ? rs : rt].endless |= link[rs < rt ? rt : rs].endless;
-}
-
 static void displace(const struct dem_walls *w, const int offset[3], struct dem_triangle *t)
 {
     const double *const period = dem_walls_period(w, w->wall[t->wall].frame);
@@ -209,7 +142,7 @@ static int same_side(const struct dem_triangle *s, int side, const struct dem_tr
 }
 
 static void join_at(struct dem_walls *w, const struct edge *e, const struct edge *f,
-                    struct link *link, double tolerance)
+                    struct dem_facet_link *link, double tolerance)
 {
     struct dem_triangle *const s = &w->triangle[e->triangle], *const t = &w->triangle[f->triangle];
     struct dem_triangle moved = *t;
@@ -222,7 +155,7 @@ static void join_at(struct dem_walls *w, const struct edge *e, const struct edge
     displace(w, offset, &moved);
     if (coplanar(s, &moved, tolerance))
     {
-        unite(link, e->triangle, f->triangle, offset);
+        dem_facet_links_unite(link, e->triangle, f->triangle, offset);
         if (!same_side(s, e->side, t, f->side))
         {
             s->rim &= (uint8_t)~(1u << e->side);
@@ -231,26 +164,15 @@ static void join_at(struct dem_walls *w, const struct edge *e, const struct edge
     }
 }
 
-static size_t count_endless(const struct link *link, size_t triangles)
-{
-    size_t n = 0;
-
-    for (size_t t = 0; t < triangles; t++)
-    {
-        n += (size_t)__builtin_popcount(link[t].endless);
-    }
-    return n;
-}
-
 /* Repeated while a pass finds more axes along which facets are endless: they shorten the offsets of the next one. */
-static void join(struct dem_walls *w, const struct edge *edge, size_t edges, struct link *link,
+static void join(struct dem_walls *w, const struct edge *edge, size_t edges, struct dem_facet_link *link,
                  double tolerance)
 {
     size_t before;
 
     do
     {
-        before = count_endless(link, w->triangles);
+        before = dem_facet_links_endless(link, w->triangles);
         for (size_t k = 0; k < edges; k++)
         {
             for (size_t m = k + 1; m < edges && same_edge(&edge[k], &edge[m]); m++)
@@ -259,7 +181,7 @@ static void join(struct dem_walls *w, const struct edge *edge, size_t edges, str
             }
         }
     }
-    while (count_endless(link, w->triangles) != before);
+    while (dem_facet_links_endless(link, w->triangles) != before);
 }
 
 static int add_facet(struct dem_walls *w, int wall, const double normal[3], const double point[3])
@@ -302,7 +224,7 @@ static int set_place(const struct dem_walls *w, const int offset[3], int endless
     return DEM_OK;
 }
 
-static int number_facets(struct dem_walls *w, struct link *link)
+static int number_facets(struct dem_walls *w, struct dem_facet_link *link)
 {
     for (int k = 0; k < w->walls; k++)
     {
@@ -315,7 +237,7 @@ static int number_facets(struct dem_walls *w, struct link *link)
     {
         struct dem_triangle *const here = &w->triangle[t];
         int offset[3];
-        const size_t first = find_root(link, t, offset);
+        const size_t first = dem_facet_links_root(link, t, offset);
         double n[3];
 
         if (first == t)
@@ -362,7 +284,7 @@ static int join_triangles(struct dem_walls *w, double scale)
 {
     struct edge *edge = NULL;
     struct dem_vertex *vertex = NULL;
-    struct link *link = NULL;
+    struct dem_facet_link *link = NULL;
     int status = DEM_NEW(edge, 3*w->triangles + 1);
 
     status = status ? status : DEM_NEW(vertex, 3*w->triangles + 1);
