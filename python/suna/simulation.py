@@ -11,18 +11,14 @@ from typing import Any, Callable, Mapping
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-from ._arguments import (File, SunaError, as_scene, as_text, file_name, number, switch, text,
-                         whole_numbers)
+from ._arguments import File, SunaError, file_name, number, switch, text, whole_numbers
 from ._core import Core, check, string
 from ._library import ffi, lib
+from ._scene import options, override, reader
 from .editing import Editing, _new_particles
 from .output import Output
 from .particles import Forces
 from .walls import Wall
-
-# entries of a scene that belong to the program dem
-PROGRAM = ("time/end", "time/untilQuiet", "time/maxCreated", "write", "coupling",
-           "accuracy")
 
 
 class Simulation(Editing, Output):
@@ -54,10 +50,10 @@ class Simulation(Editing, Output):
                    ("orientation", orientation, lib.dem_case_enable_orientation),
                    ("virial", virial, lib.dem_case_enable_virial)) if switch(name, value)]
         left_out = None if without is None else text("without", without)
-        self._core, self._described = Core(comm), [_reader(scene), _override(settings)]
+        self._core, self._described = Core(comm), [reader(scene), override(settings)]
         self._balanced = bool(energy)
         self._forces: list[Callable[[Forces], None]] = []
-        self._described += [lambda c: _options(c, left_out, wanted)]
+        self._described += [lambda c: options(c, left_out, wanted)]
         try:
             with self._core.case("Simulation") as c:
                 for call in self._described:
@@ -341,43 +337,6 @@ class Simulation(Editing, Output):
         counts = ((t["particles"], "particle"), (len(self.walls), "wall"))
         return ("Simulation(" + "".join(f"{n} {what}{'s' if n != 1 else ''}, " for n, what in counts) +
                 f"t = {t['time']:.6g} s, {' '.join(self.effects)})")
-
-
-def _reader(scene):
-    """What reads the scene into a case, also when it goes on with other entries later."""
-    given = text("scene", as_scene(scene)) if isinstance(scene, dict) else file_name("scene", scene)
-    if isinstance(scene, dict) or b"{" in given or b";" in given:
-        return lambda c: check(lib.dem_case_scene_text(c, given, b"scene"))
-    path = os.path.abspath(given)
-    known = []
-
-    def read(c):
-        check(lib.dem_case_scene_file(c, path if known else given))
-        with open(path, "rb") as file:
-            content = file.read()
-        if known and known[0] != content:
-            raise SunaError(f"{os.fsdecode(path)} has been edited since the simulation read it; save a "
-                            "snapshot and start from it with the new scene")
-        known[:] = [content]
-
-    return read
-
-
-def _override(settings):
-    if not isinstance(settings, (dict, type(None))):
-        raise SunaError(f"settings is {settings!r}; give a dict, {{\"time/step\": 1e-6}}")
-    entries = [(text("a name in settings", entry), text(entry, as_text(f"settings, {entry}", value)))
-               for entry, value in (settings or {}).items()]
-    return lambda c: [check(lib.dem_case_set(c, *entry)) for entry in entries]
-
-
-def _options(c, without, wanted):
-    for entry in PROGRAM:
-        lib.dem_scene_skip(lib.dem_case_dict(c), entry.encode())
-    if without is not None:
-        check(lib.dem_case_remove_effect(c, without))
-    for call in wanted:
-        check(call(c))
 
 
 def _run(duration):
