@@ -69,7 +69,7 @@ static void kick_all(struct dem_state *state, double kick, struct dem_wall_body_
         dem_pose_point(&state->walls.frame[of->frame].pose, b->centre, in.centre);
         /* it keeps its velocity until a sweep has summed its contacts after it has appeared or has got
            its motion at a restart */
-        if (in.rests || b->state.summed > 0.0)
+        if (in.rests || b->state.summed != DEM_WALL_BODY_UNKNOWN)
         {
             dem_wall_body_kick(b, &in, w);
         }
@@ -209,7 +209,7 @@ static void take_sums(struct dem_wall_body *b, const double sum[DEM_WALL_BODY_TE
     s->contacts = sum[DEM_WALL_BODY_CONTACTS];
     s->diameter = s->contacts > 0.0 ? sum[DEM_WALL_BODY_DIAMETERS]/s->contacts : 0.0;
     s->turning = sum[DEM_WALL_BODY_TURNING];
-    s->summed = !absent;
+    s->summed = absent ? DEM_WALL_BODY_UNKNOWN : DEM_WALL_BODY_SWEPT;
     if (absent)
     {
         s->hold = s->height = s->near_time = s->free_path = 0.0;

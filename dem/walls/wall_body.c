@@ -111,19 +111,32 @@ int dem_wall_body_is_near(const struct dem_wall_body *b, double target)
     return fabs(target + b->state.force[0]) < near_error*fabs(target);
 }
 
+/* Once after each sweep: two half kicks at the end of a window have the sums of the same one. */
+static void set_servo_speed(struct dem_wall_body *b, double force, double dt)
+{
+    struct dem_wall_body_state *const s = &b->state;
+    const double c = servo_damping(b, dt) + s->dashpot, most = b->max_speed,
+                 wanted = force + s->dashpot*s->v[0];
+
+    if (s->summed == DEM_WALL_BODY_SWEPT)
+    {
+        /* without contact c is 0, unless it is given */
+        s->v[0] = fabs(wanted) < most*c ? wanted/c : wanted > 0.0 ? most : wanted < 0.0 ? -most : 0.0;
+        s->summed = DEM_WALL_BODY_KICKED;
+    }
+}
+
 static void kick_servo(struct dem_wall_body *b, double target, const struct dem_wall_body_kick *in)
 {
     struct dem_wall_body_state *const s = &b->state;
-    const double error = target + s->force[0], c = servo_damping(b, in->dt);
-    const double wanted = error + s->hold, most = b->max_speed;
+    const double error = target + s->force[0];
 
-    /* without contact c is 0, unless it is given */
-    s->v[0] = fabs(wanted) < most*c ? wanted/c : wanted > 0.0 ? most : wanted < 0.0 ? -most : 0.0;
+    set_servo_speed(b, error + s->hold, in->dt);
     if (s->contacts == 0.0)
     {
         s->hold = s->height = s->near_time = 0.0;
     }
-    else if (s->height > 0.0 && fabs(s->v[0]) < most)
+    else if (s->height > 0.0 && fabs(s->v[0]) < b->max_speed)
     {
         const double tau = 4.0*s->height/s->diameter*s->impedance/s->stiffness;
 

@@ -15,7 +15,7 @@
  * It is the leapfrog of the particles, backward in c, so that m = 0 is allowed. That is the servo:
  *
  *   v = (F + f + H)/c,  |v| <= maxSpeed,    dH/dt = (F + f)/tau,  tau = 4 (L/d) Z/K
- *   c = max(Z, 1.5 (sum eta + K dt/2)),     Z = sum sqrt(k m_p),  K = sum k
+ *   c = max(Z, 1.5 (D + K dt/2)),     Z = sum sqrt(k m_p),  K = sum k,  D = sum eta
  *
  *   k, eta  tangent stiffness and damping coefficient of a contact; m_p its particle's mass, in a clump
  *           the mass of the clump
@@ -24,8 +24,15 @@
  *           below F/10 for a passage of sound through the bed, tau/4
  *
  * c = Z is the impedance of a bed: a wave that arrives at the wall is not reflected. The lower bound
- * keeps the wall stable, as dashpots feel its own speed: sum eta + K dt/2 < c. Sums are over the
- * contacts of the wall; tangential stiffness counts as normal stiffness.
+ * keeps the wall stable. Sums are over the contacts of the wall; tangential stiffness counts as normal
+ * stiffness.
+ *
+ * The dashpots of the contacts are in f with the velocity v- of the last sweep. They are taken with v:
+ *
+ *   v = (F + f + H + D v-)/(c + D)
+ *
+ * With (F + f + H)/c a wall that meets a particle would jump by -D/c of its last jump in each step, to and
+ * fro, and its contacts would dissipate several times the energy that they are given.
  *
  * Limits: free walls and hinges K dt^2 < 0.04 m in each sweep.
  *
@@ -63,6 +70,13 @@ enum dem_wall_body_term
     DEM_WALL_BODY_TURNING                       /* N m     K of the rotation of a free wall */
 };
 
+enum dem_wall_body_summed
+{
+    DEM_WALL_BODY_UNKNOWN,        /* the sums, before the first sweep */
+    DEM_WALL_BODY_KICKED,         /* known, and the velocity of a servo follows from them */
+    DEM_WALL_BODY_SWEPT           /* known, the velocity is that of the sweep */
+};
+
 /* doubles only: a snapshot stores them as they are */
 struct dem_wall_body_state
 {
@@ -72,7 +86,7 @@ struct dem_wall_body_state
     double stiffness, impedance, dashpot, contacts, diameter, turning;    /* the sums; mean diameter */
     double hold, height, near_time;       /* N, m, s  H; L, 0 before the target is near; for how long */
     double free_path, free_since;         /* m, s  path since the last contact, and when it began */
-    double summed;                        /* 1: the sums are known; 0 before the first sweep */
+    double summed;                        /* enum dem_wall_body_summed */
     double rotation[4], rotation_before[4];       /* rotation of a free wall, a unit quaternion; a step ago */
     double momentum[3], torque[3];        /* kg m2/s, N m  about its centre; torque of the particles */
     double load[3], loaded;               /* N, N m  1: of the program, in place of the scene's */

@@ -127,6 +127,47 @@ static void servo_on_chain(void)
     dem_free(d);
 }
 
+/* A ball that meets a servo: the wall slows down with the force that grows, and does not swing from step to step, in
+   which its dashpot would dissipate several times the energy that there is. */
+static void servo_on_ball(void)
+{
+    struct dem_new_particle seed = {.diameter = 2.0*R, .material = "glass", .position = {0.0, 0.0, 0.999*R},
+                                    .velocity = {0.0, 0.0, 0.05}};
+    struct dem *const d = world("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { "
+                                "hertz {} dry { restitution 0.3; } } walls { lid { type plane; point (0 0 1e-3); "
+                                "normal (0 0 -1); motion { type servo; force 1e-3; maxSpeed 0.1; } } }", 1, &seed);
+    double v[3] = {0.0, 0.0, 0.0};
+    int turns = 0;
+
+    for (int n = 0; n < 60; n++)
+    {
+        world_step(d);
+        v[0] = v[1];
+        v[1] = v[2];
+        v[2] = position(d, 0).velocity[0];
+        turns += n > 2 && (v[1] - v[0])*(v[2] - v[1]) < 0.0;
+    }
+    TAP_OK(turns <= 2, "the velocity of a servo that meets a ball turns %d times in 60 steps", turns);
+    dem_free(d);
+}
+
+/* Without gravity, below the pressure of their own collisions for a while. */
+static void servo_on_loose_layer(void)
+{
+    struct dem *const d = energy_world(
+        "materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} dry { "
+        "restitution 0.3; } mindlin { friction 0.3; } } walls { box { type box; min (0 0 0); max (0.01 0.01 0.1); } "
+        "lid { type plane; point (0 0 6e-3); normal (0 0 -1); "
+        "motion { type servo; pressure 10; area 1e-4; maxSpeed 0.1; } } } "
+        "insert { grains { type random; count 300; diameter 1e-3; min (0 0 0); max (0.01 0.01 6e-3); } } ", 0, NULL);
+
+    world_run(d, 0.05);
+    TAP_OK(fabs(energy_term(d, "residual")) < 0.25*energy_term(d, "lost_dry"),
+           "energy of a loose layer below a servo at the automatic step: residual %.2g J, %.2g J lost",
+           energy_term(d, "residual"), energy_term(d, "lost_dry"));
+    dem_free(d);
+}
+
 /* T = 2 pi sqrt(I/(m g a)) 2 K(sin^2(1/2))/pi = 1.066334 of it from rest at 1 rad. */
 static void hinge(void)
 {
@@ -576,6 +617,8 @@ int main(void)
     hertz_column("type free; mass 2e-6; damping 5e-3; force (0 0 -1e-3);", "free lid");
     plate();
     servo_on_chain();
+    servo_on_ball();
+    servo_on_loose_layer();
     hinge();
     ball_on_flap();
     energy();
