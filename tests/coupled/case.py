@@ -25,6 +25,7 @@ import csv
 import math
 import os
 import re
+import runpy
 import shutil
 import signal
 import subprocess
@@ -115,8 +116,9 @@ class Run:
 
 
 class Case:
-    """A fresh copy of shared/ and of a test's folder; paths of all calls are relative to it. A stock case, a folder of
-    OpenFOAM's tutorials, is copied alone: Case("cavity", FOLDER, shared=False)."""
+    """A fresh copy of shared/ and of a test's folder, whose make.py, if it has one, makes mesh and fields; paths of all
+    calls are relative to it. A stock case, a folder of OpenFOAM's tutorials, is copied alone:
+    Case("cavity", FOLDER, shared=False)."""
 
     patches = ""                  # entries of patches that initial() and flow() add to each field
 
@@ -127,6 +129,8 @@ class Case:
             shutil.copytree(folder, self.path, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
         if (self/"0.orig").is_dir():
             shutil.copytree(self/"0.orig", self/"0", dirs_exist_ok=True)
+        if (self/"make.py").exists():
+            runpy.run_path(self/"make.py")["make"](self)
 
     def __truediv__(self, name):
         return self.path/name
@@ -176,11 +180,27 @@ class Case:
     def duct(self, size, cells, speed, start=0, grading="1 1 1"):
         """A box with an inlet below, of this velocity [m/s], an outlet above and slippery sides; `start`: the velocity
         everywhere at the beginning."""
-        self.box(size, cells, {"inlet": ("patch", "z-"), "sides": ("wall", "x- x+ y- y+"), "outlet": ("patch", "z+")},
+        self.box(size, cells, {"inlet": ("patch", "z-"), "sides": ("wall", "y- x+ y+ x-"), "outlet": ("patch", "z+")},
                  grading)
-        self.flow(f"(0 0 {start})", f"inlet {{ type fixedValue; value uniform (0 0 {speed}); }} "
-                  "sides { type slip; } outlet { type zeroGradient; }",
-                  '"(inlet|sides)" { type fixedFluxPressure; } outlet { type fixedValue; value uniform 0; }')
+        self.flow(f"(0 0 {start})", f"""inlet {{ type fixedValue; value uniform (0 0 {speed}); }}
+    sides {{ type slip; }}
+    outlet {{ type zeroGradient; }}""", """inlet { type fixedFluxPressure; }
+    sides { type fixedFluxPressure; }
+    outlet { type fixedValue; value uniform 0; }""")
+
+    def tank(self, size, cells):
+        """A box of fluid at rest with walls, open above, and gravity."""
+        self.box(size, cells, {"walls": ("wall", "y- x+ y+ x- z-"), "top": ("patch", "z+")})
+        self.flow("(0 0 0)",
+                  "walls { type noSlip; }\n    top { type pressureInletOutletVelocity; value uniform (0 0 0); }",
+                  "walls { type fixedFluxPressure; }\n    top { type fixedValue; value uniform 0; }")
+        self.gravity()
+
+    def periodic(self, size, cells):
+        """A box of fluid at rest, periodic along all axes."""
+        self.box(size, cells, {f"{axis}{k}": (f"cyclic; neighbourPatch {axis}{1 - k}", axis + "-+"[k])
+                               for axis in "xyz" for k in (0, 1)})
+        self.flow("(0 0 0)", '".*" { type cyclic; }', '".*" { type cyclic; }')
 
     def gravity(self, value="(0 0 -9.81)"):
         self.dictionary("constant/g", f"dimensions [0 1 -2 0 0 0 0]; value {value};", "uniformDimensionedVectorField")

@@ -61,7 +61,6 @@ def at_rest(case, time):
 
 case = Case("solver", "hydrostatic")
 case.edit(control, endTime=0.002, writeInterval=1)
-case.run("blockMesh")
 case.run("decomposePar")
 claim_runs("the case without a slip runs", case)
 claim_runs("the case without a slip runs on two ranks", case, ranks=2)
@@ -240,7 +239,6 @@ case.sub(scene, r"max \(0.02 0.02 0.02\)", "max (0.02 0.02 0.007)")
 case.dictionary("system/createBafflesDict", """internalFacesOnly true;
 baffles { shelf { type searchableSurface; surface plate; origin (0 0 0.008); span (0.012 0.02 0);
                   patches { master { name shelf; type wall; } slave { name shelf; type wall; } } } }""")
-case.run("blockMesh")
 (case/"0").rename(case/"0.held")                       # createBaffles rewrites its fields
 case.run("createBaffles", "-overwrite")
 case.remove("0")
@@ -311,7 +309,6 @@ if cavity.is_dir():
 
 case = Case("again", "hydrostatic")
 case.edit(control, endTime=0.002, writeInterval=0.001)
-case.run("blockMesh")
 case.run("demPimpleFoam")
 case.copy(case/"0.002", "first")
 case.run("demPimpleFoam")
@@ -396,7 +393,6 @@ refused("a time of the fluid alone, after one with particles, four ranks", case,
 # ---- the particles' reaction twice, or in a zone ------------------------------------------------------
 
 case = Case("twice", "hydrostatic")
-case.run("blockMesh")
 case.append(control, 'functions { particles { type demCloud; libs ("libdemCoupling.so"); } }\n')
 source = 'type demMomentumSource; libs ("libdemCoupling.so");'
 case.dictionary("constant/fvOptions", f"a {{ {source} }} b {{ {source} }}")

@@ -18,6 +18,7 @@ properties, control = "constant/demProperties", "system/controlDict"
 def column(name, cells, grading=(1, 1, 1), lean=0):
     """The case of fixedBed on a column of 11 x 11 x 50.6 mm with a bed of 33 mm; the top is shifted by `lean` [m]."""
     case = Case(name, "fixedBed")
+    case.copy(case/"0", "0.orig")
     case.sub(properties, "count 2000", "count 3000")
     case.sub(properties, "0.011 0.022", "0.011 0.033")
     case.sub("system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 3")

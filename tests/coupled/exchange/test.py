@@ -13,14 +13,11 @@ class Groups(Case):
 
     def __init__(self, ratio, outer=8):
         super().__init__(f"free-{ratio}", "momentum")
-        self.copy("shared/system/fvSolution", "system/fvSolution.shared")
         self.sub("system/fvSolution", "nOuterCorrectors 8", f"nOuterCorrectors {outer}")
-        self.sub("system/controlDict", r"^functions[\s\S]*", "")
         for pattern, to in (("^ *rho .*", "rho 1;"), ("^averages.*", ""), ("fields .*", ""),
                             ("gidaspow", "stokesDrag"), ("density 2500", "density 5500")):
             self.sub("constant/demProperties", pattern, to)
         self.edit("constant/transportProperties", nu=ratio*5500*6.4e-7/(18*1e-3))
-        self.run("blockMesh")
         self.run("demPimpleFoam")
         self.fluid, self.sum = self.vectors("fluid", "momentum"), self.vectors("sum", "momentum")
         self.start = np.linalg.norm(self.vectors("particles", "momentum")[0])

@@ -13,7 +13,6 @@ h = 0.0022                                            # height of a cell [m]
 for kernel in ("linear", "diffusion"):
     case = Case(kernel)
     case.sub("constant/demProperties", "kernel .*", f"kernel {kernel};")
-    case.run("blockMesh")
     claim_runs(f"{kernel}: runs", case)
     # means over the 25 cells of each of the 18 layers
     p, void, U, gradP = (case.field(f"0.02/{name}").reshape(18, 25, -1).mean(1)[:, -1]

@@ -195,9 +195,8 @@ for what, sentence, entry, wrong in (
 # ---- a closed box ----------------------------------------------------------------------------------
 
 case = Case("closed", "momentum")
-case.copy("shared/system/fvSolution", "system/fvSolution.shared")
 # a solver without void fraction, as the particles' volume changes in a closed box
-case.sub("system/controlDict", r"^functions[\s\S]*", function_object)
+case.append("system/controlDict", function_object)
 case.edit("system/controlDict", writeInterval=0.001)
 for entry in ("pressureGradient {}", r"fields  \(.*", "^averages.*"):
     case.sub("constant/demProperties", entry, "")

@@ -163,21 +163,13 @@ for density, solid, step, end, mass in packings:
     claim_exchange(what, case)
 
 
-def momentum_case(name):
-    """The case of ../momentum without its function objects."""
-    case = Case(name, "momentum")
-    case.copy("shared/system/fvSolution", "system/fvSolution.shared")
-    case.sub("system/controlDict", r"^functions[\s\S]*", "")
-    return case
-
-
 # ---- a dense fixed bed -----------------------------------------------------------------------------
 
 # Liquid decelerates among fixed spheres, and their added mass (Zuber) increases its inertia:
 # (e + s C) du/dt = -s 18 nu/d^2 u, s = 0.55, C = (1 + 2 s)/(2 e). An acceleration of the step before alone would
 # diverge.
 
-case = momentum_case("bed")
+case = Case("bed", "momentum")
 case.dictionary("constant/demProperties", """
 materials { glass { density 2500; youngsModulus 1e5; } }
 effects { hertz {} stokesDrag {} pressureGradient {} virtualMass { swarm zuber; } }
@@ -200,7 +192,7 @@ claim_exchange("bed", case)
 
 for solver in ("demPimpleFoam", "pimpleFoam"):
     what = f"momentum, {solver}"
-    case = momentum_case(f"momentum-{solver}")
+    case = Case(f"momentum-{solver}", "momentum")
     case.sub("constant/demProperties", "gidaspow", "tenneti {} viscousStress {} virtualMass { swarm felderhof; } "
              "saffmanMei {} magnus {} viscousTorque")
     case.sub("constant/demProperties", r"velocity \(", "spin (200 -100 300); velocity (")

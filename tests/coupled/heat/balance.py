@@ -46,8 +46,7 @@ def temperatures(case, time):
 def crossing(case, up, down, more=""):
     """Make the case of heat/ a box of 12 mm with two beds that fly through each other; `up` and `down` are their
     diameters, counts and temperatures."""
-    case.sub("system/blockMeshDict", r"0\.008", "0.012")
-    case.sub("system/blockMeshDict", r"\(2 2 2\)", "(6 6 6)")
+    case.periodic((0.012, 0.012, 0.012), (6, 6, 6))
     case.edit("system/controlDict", endTime=0.02, deltaT=0.001)
     case.sub("system/fvSchemes", r"div\(alphaPhi,U\)", "div(alphaPhi,T) Gauss upwind; div(alphaPhi,U)")
     case.sub("constant/demProperties", "ranzMarshall", "dry { restitution 0.9; } gunn")
@@ -61,7 +60,6 @@ insert
 }}
 coupling {{ rho 1.25; }}
 """)
-    case.run("blockMesh")
 
 
 def hot(solver, name=None):

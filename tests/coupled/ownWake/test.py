@@ -178,7 +178,6 @@ claim("a random suspension: 2 % too fast without", value > 1.02, value)
 # the frozen lattice of fixedBed
 case = Case("lattice", source="fixedBed")
 case.sub("constant/demProperties", "kernel .*", "kernel diffusion; ownWake yes;")
-case.run("blockMesh")
 case.run("demPimpleFoam")
 p = case.field("0.02/p").reshape(18, 25).mean(1)
 claim("a frozen lattice: pressure gradient is the closure's (0.5 %)",

@@ -37,7 +37,6 @@ def files():
 # ---- a column of 1536 spheres of 0.1 mm in water ----------------------------------------------------
 
 case = Case("column", "hindered")
-case.run("blockMesh")
 first = plan()
 claim_ran("demPimpleFoam -plan ends well", case)
 claim("nothing has run", not re.search("^Time = ", first, re.M) and not case.times())
@@ -92,29 +91,14 @@ claim("with as many DEM steps as a fixed one of that length",
 
 # a vessel of constant section up to 1.6 mm, twice as wide at its top: the bed of 12 layers of 9 x 9 is in the straight
 # part
-mesh = case.read("system/blockMeshDict")
-case.write("system/blockMeshDict", mesh[:mesh.index("vertices")] + """
-vertices
-(
-    (0 0 0) (0.000963 0 0) (0.000963 0.000963 0) (0 0.000963 0)
-    (0 0 0.0016) (0.000963 0 0.0016) (0.000963 0.000963 0.0016) (0 0.000963 0.0016)
-    (-0.0005 0 0.00289) (0.001463 0 0.00289) (0.001463 0.000963 0.00289) (-0.0005 0.000963 0.00289)
-);
-blocks ( hex (0 1 2 3 4 5 6 7) (4 4 7) simpleGrading (1 1 1)
-         hex (4 5 6 7 8 9 10 11) (4 4 5) simpleGrading (1 1 1) );
-edges ();
-boundary
-(
-    sides { type wall; faces
-            ( (0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7) (4 5 9 8) (5 6 10 9) (6 7 11 10) (7 4 8 11) ); }
-    bottom { type patch; faces ( (0 3 2 1) ); }
-    top { type patch; faces ( (8 9 10 11) ); }
-);
-""")
+case.mesh([(x, y, z) for z, wide in ((0, 0), (0.0016, 0), (0.00289, 0.0005))
+           for x, y in ((-wide, 0), (0.000963 + wide, 0), (0.000963 + wide, 0.000963), (-wide, 0.000963))],
+          ["(0 1 2 3 4 5 6 7) (4 4 7)", "(4 5 6 7 8 9 10 11) (4 4 5)"],
+          {"sides": "type wall; faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7) (4 5 9 8) (5 6 10 9) (6 7 11 10) (7 4 8 11));",
+           "bottom": "type patch; faces ((0 3 2 1));", "top": "type patch; faces ((8 9 10 11));"})
 case.sub("constant/demProperties", "count 1536; spacing 1.2036;", "count 972; spacing 1.05;")
 case.sub("0/U", "bottom { type noSlip; }", "bottom { type fixedValue; value uniform (0 0 0.002); }")
 case.edit(control, adjustTimeStep="no")
-case.run("blockMesh")
 log = plan()
 claim("pressure drop over the section where the bed stands",
       close(planned(log, pressure_drop), 972*weight/section, 6e-4))
@@ -167,10 +151,9 @@ claim("and named", re.search(r"(?s)FATAL.*div\(alphaPhi,U\)", missing.log))
 # ---- a bed: cubic packing of spheres of 1 mm, 10 x 10 a layer of 1.05 mm in 11 x 11 mm, 20 layers ---
 
 case = Case("bed", "fixedBed")
-case.copy("hindered/constant/g", "constant/g")
+case.gravity()
 case.sub("constant/demProperties", "frozen yes;", "")
 case.sub("constant/demProperties", "spacing 1.1;", "spacing 1.05;")
-case.run("blockMesh")
 log = plan()
 claim_ran("bed: ends well", case)
 void = planned(log, "with gidaspow for a bed of void fraction")
@@ -188,10 +171,9 @@ claim("bed: and of which layer (m)", close(planned(log, "drag of a layer of"), 3
 
 # a sphere of 7 mm in cells of 2.2 mm, a kernel for 1 mm: 180 mm3 over pi^1.5 3^3 mm3 is 1.2 at its centre
 mixed = Case("mixed", "fixedBed")
-mixed.copy("hindered/constant/g", "constant/g")
+mixed.gravity()
 mixed.sub("constant/demProperties", r"(?s)bed \{.*?\}", "boulder { type list; positions ((5.5e-3 5.5e-3 1e-2)); diameter 7e-3; }")
 mixed.sub("constant/demProperties", "kernel  diffusion;", "kernel diffusion; diameter 1e-3;")
-mixed.run("blockMesh")
 claim("a sphere too large for cells and kernel is reported before the run",
       re.search("less than minVoidFraction 0.2 in [0-9]+ cells, .* the largest, 0.007 m, .* diameter 0.007 in coupling",
                 mixed.run("demPimpleFoam", "-plan").log))

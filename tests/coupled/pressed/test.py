@@ -63,7 +63,6 @@ walls
           motion { type free; axes (z); mass 2e-3; weight yes; damping 0.2; start press; } }
 }""")
 case.remove("constant/g")
-case.run("blockMesh")
 claim_runs("runs", case)
 log = case.log()
 claim("the log has the stage, which begins with a fluid step", re.search(r"Suna: stage press begins at 0\.0210*\d* s: its time is over", log),

@@ -6,6 +6,7 @@ at the same speed, and momentum is conserved.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from case import *
+from hindered.make import column
 
 
 def case_of(folder, name, equations):
@@ -13,11 +14,6 @@ def case_of(folder, name, equations):
     case = Case(f"{name}-{equations}", folder)
     case.sub("constant/demProperties", "^ *rho .*", rf"\g<0> equations {equations};")
     return case
-
-
-def run(case, what):
-    case.run("blockMesh")
-    claim_runs(f"{what} runs", case)
 
 
 def ergun(U):
@@ -32,7 +28,7 @@ def bed(equations):
     what = f"set {equations}: the bed"
     case = case_of("fixedBed", "bed", equations)
     case.sub("constant/demProperties", "gidaspow", "ergun")
-    run(case, what)
+    claim_runs(f"{what} runs", case)
     p = 1.2*case.field("0.02/p").reshape(18, 25).mean(1)              # layers of cells
     claim(f"{what}: the pressure gradient is Ergun's (0.5 %)", close((p[0] - p[3])/(3*0.0022), ergun(0.3), 0.005))
     claim(f"{what}: exchange closes", worst(case.log(), "exchange error") < 1e-12)
@@ -43,7 +39,7 @@ def vessel(equations):
     """Particles as dense as the fluid, at random positions at rest: weight, buoyancy and the fluid's own weight cancel
     to round-off."""
     case = case_of("hydrostatic", "vessel", equations)
-    run(case, f"set {equations}: the vessel")
+    claim_runs(f"set {equations}: the vessel runs", case)
     # 1e-8 m/s: far above the round-off of g T, 1e-17, and far below a lack of buoyancy, g T = 0.5 m/s
     claim(f"set {equations}: no particle moves", largest(case.field("0.05/lagrangian/particles/U")) < 1e-8)
     claim(f"set {equations}: no fluid moves", largest(case.field("0.05/U")) < 1e-8)
@@ -55,13 +51,11 @@ def suspension(equations):
     Differences start at its ends, where it is not uniform, and decay over some cells: in set III particles there
     lack the pressure due to their neighbors."""
     case = case_of("hindered", "column", equations)
-    for name in ("system/blockMeshDict", "constant/demProperties"):
-        case.sub(name, r"0\.000963", "4.8144e-4")
-        case.sub(name, r"0\.00289", "5.77728e-3")
-    case.sub("system/blockMeshDict", "4 4 12", "2 2 24")
-    case.sub("constant/demProperties", "count 1536", "count 768")
+    column(case, (4.8144e-4, 4.8144e-4, 5.77728e-3), (2, 2, 24))
+    for old, new in (("0.000963", "4.8144e-4"), ("0.00289", "5.77728e-3"), ("count 1536", "count 768")):
+        case.sub("constant/demProperties", old, new)
     case.edit("system/controlDict", deltaT=2e-4, endTime=0.012, writeInterval=0.012)
-    run(case, f"set {equations}: the suspension")
+    claim_runs(f"set {equations}: the suspension runs", case)
     spheres = case.particles("0.012", "positions", "U")
     middle = (spheres[:, 3] > 0.0024) & (spheres[:, 3] < 0.0034)
     return -spheres[middle, 6].mean()
@@ -69,10 +63,8 @@ def suspension(equations):
 
 def box(equations):
     case = case_of("momentum", "box", equations)
-    case.copy("shared/system/fvSolution", "system/fvSolution.shared")
-    case.sub("system/controlDict", r"^functions[\s\S]*", "")
     case.edit("system/controlDict", endTime=0.01, writeInterval=0.01)
-    run(case, f"set {equations}: the box")
+    claim_runs(f"set {equations}: the box runs", case)
     total = case.vectors("sum", "momentum fluid")
     # relative to the initial sum; the log has six digits, the linear solvers 1e-11 m2/s2
     claim(f"set {equations}: momentum is kept", len(total) == 10 and

@@ -30,10 +30,8 @@ def duct(name, cells, grading, options):
     case = Case(name, "fixedBed")
     case.dictionary("constant/demProperties", scene)
     case.dictionary("constant/fvOptions", options)
-    case.sub("constant/transportProperties", r"^nu\b.*", f"nu {nu};")
-    case.sub("system/blockMeshDict", r"\(5 5 18\) simpleGrading \(1 1 1\)",
-             f"(3 3 {cells}) simpleGrading (1 1 {grading})")
-    case.run("blockMesh")
+    case.edit("constant/transportProperties", nu=nu)
+    case.duct((0.011, 0.011, 0.0396), (3, 3, cells), 0.3, 0.3, f"1 1 {grading}")
     return case
 
 

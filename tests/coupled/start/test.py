@@ -192,7 +192,6 @@ refuses("a misspelt entry beside the snapshot is refused", "temperatur")
 # ---- an open patch below the bed --------------------------------------------------------------------
 
 opened = Case("opened", "hydrostatic")
-opened.run("blockMesh")
 opened.sub("constant/polyMesh/boundary", "(walls\\s*{\\s*type\\s*)wall;", r"\1patch;")
 # and a patch without faces, as snappyHexMesh may leave one
 opened.sub("constant/polyMesh/boundary", r"^2\n\(", "3\n(\n    none { type patch; nFaces 0; startFace 300; }")

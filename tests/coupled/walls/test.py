@@ -32,7 +32,6 @@ case.properties("glass { density 2500; youngsModulus 1e6; } steel { density 7800
 }""")
 good = case.read("constant/demProperties")
 case.remove("constant/g")
-case.run("blockMesh")
 claim_runs("runs", case)
 
 # ---- velocities, forces and work -------------------------------------------------------------------

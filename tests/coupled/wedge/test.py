@@ -81,8 +81,7 @@ case = Pipe("momentum", 6e-3, 0.012, (6, 6), ends="cyclic")
 case.controls(0.02, 0.0005, 0.005, nu=1e-8)
 ends = '"(bottom|top)" { type cyclic; }'
 case.flow("(0 0 0)", f"wall {{ type slip; }} {ends}", f"wall {{ type fixedFluxPressure; }} {ends}")
-case.copy("shared/system/fvSolution", "system/fvSolution.shared")
-case.copy("momentum/system/fvSolution", "system/fvSolution")
+case.sub("system/fvSolution", "nOuterCorrectors 1", "nOuterCorrectors 8")
 case.properties("glass { density 2500; youngsModulus 1e5; }",
                 "hertz {} dry { restitution 0.9; } gidaspow {} pressureGradient {}",
                 """up { type random; diameter 8e-4; count 150; seed 2; velocity (0.1 0.05 0.2);
