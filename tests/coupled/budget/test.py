@@ -52,7 +52,6 @@ def claim_iterations(what, case, limit):
 # ---- hexahedra, on one rank and on four ------------------------------------------------------------
 
 case = Case("hexahedra")
-case.run("blockMesh")
 claim_runs("hexahedra: runs", case)
 claims_of("hexahedra", case)
 # one outer iteration, steps of 1 ms: convection and stress differ between the predictor and the pressure step
@@ -80,8 +79,6 @@ claim("four ranks: the fluid has the momentum that it has on one",
 
 case = Case("streams", source="flows")
 case.sub("constant/demProperties", "rho     1000;", "rho 1000; record { interval 0.001; budget yes; }")
-case.sub("system/controlDict", r"^functions[\s\S]*", "")
-case.run("blockMesh")
 claim_runs("streams: runs", case)
 mass, table = account(case, "mass"), case.table(budget)
 claim("streams: mass closes", mass["passed"] > 1e-4 and share(mass, "rest") < 1e-12)
@@ -125,7 +122,6 @@ claim_iterations("graded: no residual after enough iterations", case, 1e-12)
 
 case = Case("tetrahedra")
 case.sub("system/fvSolution", "nNonOrthogonalCorrectors 0", "nNonOrthogonalCorrectors 2")
-case.run("blockMesh")
 case.run("bash", "tetrahedra")
 claim_runs("tetrahedra: runs", case)
 claims_of("tetrahedra", case, faces=False)

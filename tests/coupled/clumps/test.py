@@ -177,7 +177,6 @@ shapes { pair { spheres ((0 0 0 5e-4) (6e-4 0 0 4e-4)); } }
 insert { thrown { type random; shape pair; count 150; seed 7; velocity (0.1 0 0); min (0 0 0.01); max (0.02 0.02 0.03); } }
 coupling { rho 1000; }
 """)
-case.run("blockMesh")
 claim_runs("pisoFoam: runs", case, "pisoFoam")
 total = case.vectors("sum", "momentum", "pisoFoam")[:, 0]
 claim("pisoFoam: exchange closes", worst(case.log("pisoFoam"), "exchange error") < 1e-12)

@@ -16,11 +16,8 @@ snapshot = "uniform/dem.snapshot"
 def divided(solver, handler, name):
     """The case of the restart test for 8 steps, for two ranks."""
     case = Case(name, "restart")
-    if solver == "demPimpleFoam":
-        case.sub("system/controlDict", ".*type demCloud.*\n", "")
-    case.sub("system/controlDict", "(?s)^    means.*?^    }\n", "")
+    case.append("system/controlDict", function_object*(solver == "pimpleFoam"))
     case.edit("system/controlDict", endTime=0.008)
-    case.run("blockMesh")
     case.run("decomposePar", "-fileHandler", handler)
     return case
 

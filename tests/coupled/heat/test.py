@@ -90,8 +90,6 @@ case.initial("T", "0 0 0 1 0 0 0", 500,
 case.sub(scene, "youngsModulus 1e6;", "youngsModulus 1e6; heatCapacity 20;")
 case.sub(scene, "gidaspow {}", "gidaspow {} gunn {}")
 case.sub("system/fvSolution", r'"U\.\*"', '"(U|T).*"')
-case.sub(control, ".*type demCloud.*\n", "")
-case.run("blockMesh")
 claim_runs("restart: runs", case)
 (case/"0.012").rename(case/"straight")
 case.edit(control, startTime=0.008)

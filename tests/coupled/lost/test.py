@@ -46,7 +46,6 @@ def numbers(name):
 # ---- two particles leave ---------------------------------------------------------------------------
 
 case = Case()
-case.run("blockMesh")
 runs("runs")
 lost = f"{tables}/lost.csv"
 log, table, rows = case.log(), case.table(lost), numbers(lost)
@@ -142,7 +141,6 @@ fails("out of the mesh", r"outside the mesh.*the first is particle 60 at .* m, w
 case = Case("other")
 leaving("error")
 case.append("system/controlDict", function_object)
-case.run("blockMesh")
 fails("a function object", "particle 60 left the domain.*; the particles' last good state, of time 0.008 s, is in "
       "lastGood.dem: start . snapshot .lastGood.dem.; . in constant/demProperties begins with these particles, and the "
       "fluid at time 0 ", "pimpleFoam")
@@ -193,7 +191,6 @@ case = Case("bonds")
 pictures = [f"{tables}/bonds_{time}.vtp" for time in ("0.004", "0.008", "0.012")]
 case.copy(here/"constant/demProperties.bonds", "constant/demProperties")
 control(endTime=0.012, writeInterval=0.004)
-case.run("blockMesh")
 runs("bonds: runs")
 log, table = case.log(), case.table(bonds)
 claim("bonds: the first that breaks is reported",

@@ -28,7 +28,6 @@ END = "0.0390625"
 def piston(solver):
     case = make("piston", solver)
     name = f"piston, {solver}"
-    case.run("blockMesh")
     claim_runs(f"{name}: runs", case, solver)
     grains = case.particles(END, "positions")[:, 1:]
     U = case.field(f"{END}/lagrangian/particles/U")
@@ -80,7 +79,6 @@ for what, entries in (("own wakes", "kernel linear; ownWake yes;"), ("lawWidth",
     case.sub("constant/demProperties", r"min \(0.002 0.002 -5e-7\); max \(0.018 0.018 0.002\)",
              "min (0.002 0.002 0.01); max (0.018 0.018 0.0125)")
     case.sub("constant/demProperties", "coupling { rho 1;", f"coupling {{ rho 1; {entries}")
-    case.run("blockMesh")
     claim_runs(f"{what}: runs", case)
     grains, U = case.particles(END, "positions")[:, 1:], case.field(f"{END}/lagrangian/particles/U")
     claim(f"{what}: grains fall and floor rises", np.all(U[:, 2] < -0.1))
@@ -178,7 +176,6 @@ case.remove("0/pointDisplacement")
 case.properties("glass { density 2500; youngsModulus 1e6; }", "hertz {} gidaspow {} pressureGradient {}",
                 "grain { type list; diameter 1e-5; positions ((0.09 0.00125 0.00125)); }", "rho 1;")
 case.edit("system/controlDict", endTime=0.05, deltaT=0.001, writeInterval=0.05)
-case.run("blockMesh")
 claim_runs("shear layer: runs", case)
 # one of 40 cells of 2.5 mm, full of the layer's velocity, is 2.5 mm of it; viscosity spreads it evenly.
 # 1e-5 m is a thousandth of the way of the mesh

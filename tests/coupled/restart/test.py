@@ -13,6 +13,18 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from case import *
 
 box = "postProcessing/dem/{}/box.csv"
+means = """
+functions
+{
+    means
+    {
+        type            fieldAverage;
+        libs            ("libfieldFunctionObjects.so");
+        writeControl    writeTime;
+        fields          ( U.particles { mean on; prime2Mean on; base time; } U { mean on; prime2Mean off; base time; } );
+    }
+}
+"""
 
 
 def claim_same(what, straight, now, snapshot=True):
@@ -33,12 +45,6 @@ def same_snapshot(a, b):
 
 def control(**entries):
     case.edit("system/controlDict", **entries)
-
-
-def without(*functions):
-    """Remove these functions from controlDict."""
-    for name in functions:
-        case.sub("system/controlDict", rf"^    {name}(\n    {{[\s\S]*?^    }}| {{.*}})", "")
 
 
 def again(solver, start, ranks=1):
@@ -66,9 +72,7 @@ def rows(start):
 
 for solver in ("pimpleFoam", "demPimpleFoam"):
     case = Case(solver)
-    if solver == "demPimpleFoam":
-        without("particles")
-    case.run("blockMesh")
+    case.append("system/controlDict", function_object*(solver == "pimpleFoam") + means)
     claim_runs(f"{solver}: runs", case, solver)
     (case/"0.012").rename(case/"straight")
     again(solver, 0.004)
@@ -119,9 +123,7 @@ claim("from two ranks to one: the same positions (m)",
 
 # before and after particles have crossed the cyclic patches
 case = Case("every")
-without("particles", "means")
 control(deltaT=8e-4, writeInterval=8e-4, endTime=0.016)
-case.run("blockMesh")
 claim_runs("any time: runs", case)
 move(".", "all")
 for steps in (2, 3, 5, 7, 8, 9, 10, 11) if thorough else (2, 7, 11):
@@ -144,9 +146,8 @@ def steps():
 
 # the limit of the step is saved: the steps are the same to the last digit, and so is the run
 case = Case("adjust")
-without("particles")
+case.append("system/controlDict", means)
 control(writeControl="adjustableRunTime", adjustTimeStep="yes", maxCo=0.3, maxDeltaT=1e-3, deltaT=2e-4)
-case.run("blockMesh")
 claim_runs("adjustTimeStep: runs", case)
 (case/"0.012").rename(case/"straight")
 straight = steps()[steps().index("Time = 0.004") + 1:]
@@ -161,9 +162,7 @@ claim_same("adjustTimeStep: continues from 0.004 with the bits of the uninterrup
 # where lists are rebuilt, and so particles wrapped, depends on the times of output; beyond the cyclic patches, which
 # both ranks share, a particle has the cells and weights of one that is wrapped
 case = Case("often")
-without("particles", "means")
 control(deltaT=0.001, writeInterval=0.001, endTime=0.018)
-case.run("blockMesh")
 case.run("decomposePar")
 claim_runs("two ranks, output in each step: runs", case, ranks=2)
 for rank in range(2):
@@ -189,7 +188,6 @@ coupling { rho 10; interval 0.0005; }
 """)
 case.sub("system/fvSchemes", "Euler", "steadyState")
 control(deltaT=1, endTime=30, writeInterval=10, startFrom="startTime")
-case.run("blockMesh")
 claim_runs("simpleFoam: runs", case, "simpleFoam")
 # 10 iterations of 0.5 ms a row: 10 particles, one more or less
 table = case.table("postProcessing/dem/0/flows.csv")

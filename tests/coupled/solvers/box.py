@@ -19,7 +19,6 @@ def prepare(solver, particles, name=None):
         for field in ("0/p", "0/p_rgh"):
             case.sub(field, "^internalField .*", "internalField uniform 1e5;")
         case.sub("system/fvSolution", "pRefValue [^;]*", "pRefValue 1e5")
-    case.run("blockMesh")
     if solver == "interFoam":
         case.run("setFields")
     return case

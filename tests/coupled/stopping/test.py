@@ -14,12 +14,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from case import *
 
 
-def without(case, *functions):
-    """Remove these functions from controlDict."""
-    for name in functions:
-        case.sub("system/controlDict", rf"^    {name}(\n    {{[\s\S]*?^    }}| {{.*}})", "")
-
-
 def said(case, log, pattern):
     """Wait up to a minute for such a line."""
     return until(lambda: re.search(pattern, case.read(log), re.M))
@@ -75,9 +69,8 @@ def stopped(solver, ranks, sent):
     name = sent.name if sent else "the file stop"
     what = f"{solver} on {ranks} rank(s), {name}"
     case = Case(f"{solver}.{ranks}", "restart")
-    without(case, "means", *["particles"]*(solver == "demPimpleFoam"))
+    case.append("system/controlDict", function_object*(solver == "pimpleFoam"))
     case.edit("system/controlDict", endTime=1000, writeInterval=500)
-    case.run("blockMesh")
     folder = "."
     if ranks > 1:
         folder = "processor0"
@@ -128,15 +121,12 @@ if thorough:
 
 # short steps
 short = Case("short", "restart")
-short.run("blockMesh")
-without(short, "means")
+short.append("system/controlDict", function_object)
 short.edit("system/controlDict", endTime=1000, writeInterval=500, runTimeModifiable="yes")
 run_short = short.start("pimpleFoam")
 
 # steps of a minute
 long = Case("long", "restart")
-long.run("blockMesh")
-without(long, "means", "particles")
 long.edit("system/controlDict", endTime=0.01)
 long.sub("constant/demProperties", "youngsModulus 1e6", "youngsModulus 1e15")
 run_long = long.start("demPimpleFoam")

@@ -47,7 +47,6 @@ def check(c):
     case = fluid.Folder(c, "swarm", "forces/swarm")
     end = "5" if c.long else "0.1"
     case.edit("system/controlDict", endTime=end)
-    case.run("blockMesh")
     if case.ends(c, "swarm"):
         # a single bubble rises with 0.19 m/s; a diverging exchange doubles in each step
         c.below("swarm at 0.3: largest speed of a bubble, m/s", fluid.largest(case.particles(end, "U")[:, 1:]), 0.2)

@@ -11,7 +11,6 @@ def check(c):
     if not fluid.there():
         return c.skip("passages", "no demPimpleFoam")
     case = fluid.Folder(c, "duct", "flows")
-    case.run("blockMesh")
     if not case.ends(c, "duct"):
         return
     flows = case.table("postProcessing/dem/0/flows.csv")
