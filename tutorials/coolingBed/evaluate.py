@@ -82,19 +82,10 @@ class Run:
         self.lifting = float(found.group(1)) if found else numpy.nan
         self.lost = self.capacity*self.hot - self.beads             # J
 
-    def speed(self, time):
-        """The plate's superficial velocity [m/s], from its table in 0/U."""
-        text = (self.run/"0/U").read_text()
-        full = frames.entry(self.run/"0/U", "speed")
-        points = re.findall(r"\(([\d.]+) \(0 0 ([\d.]+|\$speed)\)\)",
-                            re.search(r"table (.*);", text).group(1))
-        return numpy.interp(time, [float(t) for t, _ in points],
-                            [full if u == "$speed" else float(u) for _, u in points])
-
     def blown(self, time, limit=math.inf):
         """Integral of C dt [J/K] from 0 to these times, of the speed up to `limit`."""
         fine = numpy.linspace(0, self.time[-1], 20001)
-        u = numpy.minimum(self.speed(fine), limit)
+        u = numpy.minimum(frames.plate_speed(self.run, fine), limit)
         whole = numpy.concatenate([[0], numpy.cumsum(0.5*(u[1:] + u[:-1])*numpy.diff(fine))])
         return self.air*numpy.interp(time, fine, whole)
 
@@ -115,7 +106,7 @@ class Run:
         # by perfect exchange at the run's own mean temperature
         middles = 0.5*(time[1:] + time[:-1])
         taken = numpy.concatenate([[0], numpy.cumsum((0.5*(mean[1:] + mean[:-1]) - self.cold)
-                                                     * self.air*self.speed(middles)*numpy.diff(time))])
+                                                     * self.air*frames.plate_speed(self.run, middles)*numpy.diff(time))])
         ours, theirs = (numpy.diff(numpy.interp(edges, time, values)) for values in (lost, taken))
         return 0.5*(edges[1:] + edges[:-1]), ours/theirs
 
@@ -127,7 +118,7 @@ class Run:
         """Heat that the plate's cold boundary value took by conduction [J], over time: what left through
         patches less what the leaving air took with it."""
         at, warm = self.exit()
-        taken = self.air*self.speed(at)*(warm - self.cold)*numpy.diff(at, prepend=0)
+        taken = self.air*frames.plate_speed(self.run, at)*(warm - self.cold)*numpy.diff(at, prepend=0)
         return -self.received - numpy.interp(self.time, at, numpy.cumsum(taken))
 
     def folders(self):

@@ -89,3 +89,11 @@ def entry(path, keyword):
     if not found:
         raise ValueError(f"{path}: no number {keyword}")
     return float(found.group(1))
+
+
+def plate_speed(case, time):
+    """The plate's superficial velocity at these times [m/s], from its table in 0/U."""
+    path = Path(case)/"0/U"
+    points = re.findall(r"\(([\d.]+) \(0 0 ([\d.]+|\$speed)\)\)", re.search(r"table (.*);", path.read_text())[1])
+    return numpy.interp(time, [float(t) for t, _ in points],
+                        [entry(path, "speed") if u == "$speed" else float(u) for _, u in points])

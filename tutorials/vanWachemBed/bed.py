@@ -119,15 +119,5 @@ def balance(bed, start):
 
     beads = bed.beads*VOLUME*(behind - before)/bed.area
     # the superficial flow is the same at each height
-    gas = bed.air*bed.top*(flow(bed, last) - flow(bed, first))
+    gas = bed.air*bed.top*(frames.plate_speed(bed.run, last) - frames.plate_speed(bed.run, first))
     return drop, walls, (beads + gas)/(last - first), bed.weight(count), {n for _, n, _ in instants}
-
-
-def flow(bed, time):
-    """The plate's superficial velocity [m/s], from its table in 0/U."""
-    text = (bed.run/"0/U").read_text()
-    speed = frames.entry(bed.run/"0/U", "speed")
-    points = re.findall(r"\(([\d.]+) \(0 0 ([\d.]+|\$speed)\)\)",
-                        re.search(r"table (.*);", text).group(1))
-    return numpy.interp(time, [float(t) for t, _ in points],
-                        [speed if u == "$speed" else float(u) for _, u in points])
