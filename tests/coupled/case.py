@@ -156,8 +156,13 @@ class Case:
                         + ");\nmergePatchPairs ();")
         return self.run("blockMesh")
 
-    def box(self, size, cells, patches, grading="1 1 1"):
-        """Make a mesh of a box from the origin, with patches {name: ("wall", "x- y+")} of these sides."""
+    def box(self, size, cells, patches={}, grading="1 1 1", cyclic=""):
+        """Make a mesh of a box from the origin, with patches {name: ("wall", "x- y+")} of these sides. Along the axes
+        `cyclic` it is periodic, with patches x0, x1, ...: cyclic in all fields from then on."""
+        for axis in cyclic:
+            patches = {**patches, f"{axis}0": (f"cyclic; neighbourPatch {axis}1", axis + "-"),
+                       f"{axis}1": (f"cyclic; neighbourPatch {axis}0", axis + "+")}
+            self.patches = '".*" { type cyclic; }'
         sides = {"x-": "(0 4 7 3)", "x+": "(1 2 6 5)", "y-": "(0 1 5 4)", "y+": "(3 7 6 2)",
                  "z-": "(0 3 2 1)", "z+": "(4 5 6 7)"}
         x, y, z = size
@@ -166,13 +171,13 @@ class Case:
                          {name: f"type {kind}; faces ({' '.join(sides[side] for side in faces.split())});"
                           for name, (kind, faces) in patches.items()})
 
-    def initial(self, name, dimensions, value, patches):
+    def initial(self, name, dimensions, value, patches=""):
         """Write 0/NAME, uniform."""
         self.dictionary(f"0/{name}", f"dimensions [{dimensions}];\ninternalField uniform {value};\n"
                         f"boundaryField\n{{\n    {self.patches} {patches}\n}}",
                         "volVectorField" if str(value).startswith("(") else "volScalarField")
 
-    def flow(self, velocity, U, p):
+    def flow(self, velocity, U="", p=""):
         """Write 0/U, uniform, and 0/p with these patches."""
         self.initial("U", "0 1 -1 0 0 0 0", velocity, U)
         self.initial("p", "0 2 -2 0 0 0 0", 0, p)
@@ -198,9 +203,8 @@ class Case:
 
     def periodic(self, size, cells):
         """A box of fluid at rest, periodic along all axes."""
-        self.box(size, cells, {f"{axis}{k}": (f"cyclic; neighbourPatch {axis}{1 - k}", axis + "-+"[k])
-                               for axis in "xyz" for k in (0, 1)})
-        self.flow("(0 0 0)", '".*" { type cyclic; }', '".*" { type cyclic; }')
+        self.box(size, cells, cyclic="xyz")
+        self.flow("(0 0 0)")
 
     def gravity(self, value="(0 0 -9.81)"):
         self.dictionary("constant/g", f"dimensions [0 1 -2 0 0 0 0]; value {value};", "uniformDimensionedVectorField")

@@ -58,14 +58,9 @@ class Case(Folder):
                  functions="", grading="1 1 1"):
         super().__init__(c, name, "shared")
         taken = " ".join(sides for sides, *_ in patches.values())
-        pairs = [f"{axis}{k}" for axis in "xyz" if axis + "-" not in taken for k in (0, 1)]
-        sides = {name: (kind, at) for name, (at, kind, _, _) in patches.items()}
-        for pair in pairs:
-            axis, k = pair[0], int(pair[1])
-            sides[pair] = (f"cyclic; neighbourPatch {axis}{1 - k}", axis + "-+"[k])
-        self.patches = " ".join(f"{pair} {{ type cyclic; }}" for pair in pairs)
         self.controls(end, step, write, functions, nu)
-        self.box(size, cells, sides, grading)
+        self.box(size, cells, {name: (kind, at) for name, (at, kind, _, _) in patches.items()}, grading,
+                 "".join(axis for axis in "xyz" if axis + "-" not in taken))
         self.flow(U, *(" ".join(f"{name} {{ type {patch[k]} }}" for name, patch in patches.items()) for k in (2, 3)))
         if g:
             self.gravity(vector(g))

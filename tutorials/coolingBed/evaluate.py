@@ -105,8 +105,8 @@ class Run:
         lost = numpy.concatenate([[0], self.lost - self.conducted()])
         # by perfect exchange at the run's own mean temperature
         middles = 0.5*(time[1:] + time[:-1])
-        taken = numpy.concatenate([[0], numpy.cumsum((0.5*(mean[1:] + mean[:-1]) - self.cold)
-                                                     * self.air*frames.plate_speed(self.run, middles)*numpy.diff(time))])
+        taken = numpy.concatenate([[0], numpy.cumsum(
+            (0.5*(mean[1:] + mean[:-1]) - self.cold)*self.air*frames.plate_speed(self.run, middles)*numpy.diff(time))])
         ours, theirs = (numpy.diff(numpy.interp(edges, time, values)) for values in (lost, taken))
         return 0.5*(edges[1:] + edges[:-1]), ours/theirs
 

@@ -7,5 +7,5 @@ SPDX-License-Identifier: GPL-3.0-or-later
 def make(case):
     case.controls(0.04, 0.0005, 0.02, precision=17)
     case.periodic((0.008, 0.008, 0.008), (2, 2, 2))
-    case.initial("T", "0 0 0 1 0 0 0", 500, '".*" { type cyclic; }')
+    case.initial("T", "0 0 0 1 0 0 0", 500)
     case.edit("constant/transportProperties", nu=1.5e-5, Cp=1000, kappa=0.025)

@@ -31,9 +31,7 @@ def plates(name, T, at_plates, insert, end, step):
     """The case of heat/ between plates."""
     case = Case(name, "heat")
     case.box((0.016, 0.004, 0.004), (n, 2, 2),
-             {"cold": ("wall", "x-"), "warm": ("wall", "x+"),
-              "y0": ("cyclic; neighbourPatch y1", "y-"), "y1": ("cyclic; neighbourPatch y0", "y+"),
-              "z0": ("cyclic; neighbourPatch z1", "z-"), "z1": ("cyclic; neighbourPatch z0", "z+")})
+             {"cold": ("wall", "x-"), "warm": ("wall", "x+")}, cyclic="yz")
     field(case, "U", "0 1 -1 0 0 0 0", "(0 0 0)", '"(cold|warm)" { type noSlip; }', "volVectorField")
     field(case, "p", "0 2 -2 0 0 0 0", 0, '"(cold|warm)" { type fixedFluxPressure; }')
     field(case, "T", "0 0 0 1 0 0 0", T, at_plates)

@@ -8,9 +8,6 @@ from two_fluids import *
 
 down, upright, end = 1.7, -9.66, 0.05
 length, across, height, surface, count, d, density = 0.06, 0.006, 0.06, 0.03, 64, 1e-3, 2500
-sides = {"left": ("cyclic; neighbourPatch right", "x-"), "right": ("cyclic; neighbourPatch left", "x+"),
-         "plates": ("wall", "y- y+ z- z+")}
-period = " ".join(f"{side} {{ type cyclic; }}" for side in ("left", "right"))
 places = [(x, y, z) for x in 0.00375 + 0.0075*np.arange(8) for y in (0.0015, 0.0045)
           for z in (0.006, 0.01, 0.014, 0.018)]
 
@@ -19,8 +16,8 @@ def chute(name, ranks=1, insert=f"grains {{ type list; diameter {d}; positions (
     case = TwoFluids(name)
     case.controls(end, 5e-4)
     case.fluids(gravity=f"({down} 0 {upright})", tolerance=1e-13, outer=2)
-    case.box((length, across, height), (20, 2, 20), sides)
-    case.fields(("plates",), slip=True, more=[period]*3)
+    case.box((length, across, height), (20, 2, 20), {"plates": ("wall", "y- y+ z- z+")}, cyclic="x")
+    case.fields(("plates",), slip=True)
     case.alpha(lambda x: x[:, 2] < surface)
     case.grains(f"grain {{ density {density}; youngsModulus 1e6; }}", "hertz {} dry { restitution 0.5; } "
                 "schillerNaumann {} virtualMass {}", insert, "record { interval 5e-4; budget yes; }",

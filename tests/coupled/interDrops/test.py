@@ -10,19 +10,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from two_fluids import *
 
 L, n, R, sigma = 0.012, 12, 0.004, 0.02
-sides = {"left": ("cyclic; neighbourPatch right", "x-"), "right": ("cyclic; neighbourPatch left", "x+"),
-         "front": ("cyclic; neighbourPatch back", "y-"), "back": ("cyclic; neighbourPatch front", "y+"),
-         "floor": ("cyclic; neighbourPatch roof", "z-"), "roof": ("cyclic; neighbourPatch floor", "z+")}
 
 
 def drop(name, insert, steps=20, more="", outer=1):
     case = TwoFluids(name)
     case.controls(steps*2e-4, 2e-4)
     case.fluids((1000, 1e-3), (500, 1e-3), sigma=sigma, gravity="(0 0 0)", tolerance=1e-13, outer=outer)
-    case.box((L, L, L), (n, n, n), sides)
-    for field, dimensions, value in (("U", "0 1 -1 0 0 0 0", "(0 0 0)"), ("p_rgh", "1 -1 -2 0 0 0 0", 0),
-                                     ("alpha.water", "0 0 0 0 0 0 0", 0)):
-        case.initial(field, dimensions, value, " ".join(f"{side} {{ type cyclic; }}" for side in sides))
+    case.box((L, L, L), (n, n, n), cyclic="xyz")
+    case.fields(())
     case.alpha(lambda x: (R - np.linalg.norm(x - L/2, axis=1))/(L/n) + 0.5)
     case.grains("grain { density 2500; youngsModulus 1e5; }", "hertz {} stokesDrag {}", insert,
                 "kernel linear; " + more,

@@ -61,13 +61,11 @@ for what, gravity, density, count, top in (("neutral grains", f"(0 0 {-g})", 100
 
 # ---- the same through the cells of a mesh at rest -------------------------------------------------------
 
-sides = {f"{axis}{k}": (f"cyclic; neighbourPatch {axis}{1 - k}", f"{axis}{'-+'[k]}") for axis in "xyz" for k in (0, 1)}
-cyclic = "".join(f" {side} {{ type cyclic; }}" for side in sides)
 case = TwoFluids("through")
 case.controls(0.05, 1e-3, precision=17)
 case.fluids(gravity="(0 0 0)", tolerance=1e-13, sub_cycles=2)
-case.box((0.03, 0.03, 0.03), (6, 6, 6), sides)
-case.fields((), more=(cyclic, cyclic, cyclic))
+case.box((0.03, 0.03, 0.03), (6, 6, 6), cyclic="xyz")
+case.fields(())
 case.sub("0/U", r"internalField uniform \(0 0 0\)", f"internalField uniform {vector(velocity)}")
 case.alpha(lambda x: (0.008 - abs(x[:, 2] - 0.015))/0.005 + 0.5)
 case.grains("grain { density 2500; youngsModulus 1e6; }", "hertz {} gidaspow {} virtualMass {}",

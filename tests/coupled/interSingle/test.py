@@ -9,9 +9,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from two_fluids import *
 
 d, end, step = 2e-3, 0.02, 5e-4
-sides = {"left": ("cyclic; neighbourPatch right", "x-"), "right": ("cyclic; neighbourPatch left", "x+"),
-         "front": ("cyclic; neighbourPatch back", "y-"), "back": ("cyclic; neighbourPatch front", "y+"),
-         "floor": ("cyclic; neighbourPatch roof", "z-"), "roof": ("cyclic; neighbourPatch floor", "z+")}
 fields = (("U", "0 1 -1 0 0 0 0", "(0.1 0.02 0)"), ("p_rgh", "1 -1 -2 0 0 0 0", 0), ("p", "0 2 -2 0 0 0 0", 0),
           ("alpha.water", "0 0 0 0 0 0 0", 1))
 
@@ -43,9 +40,9 @@ def both(name, mesh, effects, insert, outer=12, more="", extra=()):
 
 
 def periodic(case):
-    case.box((0.016, 0.016, 0.016), (4, 4, 4), sides)
-    for name, dimensions, value in fields:
-        case.initial(name, dimensions, value, " ".join(f"{side} {{ type cyclic; }}" for side in sides))
+    case.box((0.016, 0.016, 0.016), (4, 4, 4), cyclic="xyz")
+    for field in fields:
+        case.initial(*field)
 
 
 centres = " ".join(vector(0.004*(np.array(place) + 0.5)) for place in np.ndindex(4, 4, 4))

@@ -141,16 +141,10 @@ def suspension(own, centres, frozen):
     case = Case("suspension", source="shared")
     e, n, length = 1 - len(centres)*np.pi/6/side**3, side//2, side*1e-4
     mean = settling_slip(e) if frozen else 1e-9
-    cyclic = " ".join(f"{axis}{end} {{ type cyclic; }}" for axis in "xyz" for end in "01")
-    case.initial("U", "0 1 -1 0 0 0 0", f"(0 0 {mean if frozen else 0})", cyclic)
-    case.initial("p", "0 2 -2 0 0 0 0", 0, cyclic)
-    case.gravity(f"(0 0 {0 if frozen else -9.81})")
     case.controls(0.08, 2e-3, nu=1e-6)
-    corners = [(x, y, z) for z in (0, length) for x, y in ((0, 0), (length, 0), (length, length), (0, length))]
-    faces = {"x0": "0 4 7 3", "x1": "1 2 6 5", "y0": "0 1 5 4", "y1": "3 7 6 2", "z0": "0 3 2 1", "z1": "4 5 6 7"}
-    case.mesh(corners, [f"(0 1 2 3 4 5 6 7) ({n} {n} {n})"],
-              {name: f"type cyclic; neighbourPatch {name[0]}{1 - int(name[1])}; faces (({corner}));"
-               for name, corner in faces.items()})
+    case.box((length, length, length), (n, n, n), cyclic="xyz")
+    case.flow(f"(0 0 {mean if frozen else 0})")
+    case.gravity(f"(0 0 {0 if frozen else -9.81})")
     case.dictionary("constant/fvOptions", f"""
 drive {{ type meanVelocityForce; selectionMode all; fields (U); Ubar (0 0 {mean}); }}
 """)

@@ -94,7 +94,8 @@ claim("with as many DEM steps as a fixed one of that length",
 case.mesh([(x, y, z) for z, wide in ((0, 0), (0.0016, 0), (0.00289, 0.0005))
            for x, y in ((-wide, 0), (0.000963 + wide, 0), (0.000963 + wide, 0.000963), (-wide, 0.000963))],
           ["(0 1 2 3 4 5 6 7) (4 4 7)", "(4 5 6 7 8 9 10 11) (4 4 5)"],
-          {"sides": "type wall; faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7) (4 5 9 8) (5 6 10 9) (6 7 11 10) (7 4 8 11));",
+          {"sides": "type wall; faces ((0 1 5 4) (1 2 6 5) (2 3 7 6) (3 0 4 7) "
+                    "(4 5 9 8) (5 6 10 9) (6 7 11 10) (7 4 8 11));",
            "bottom": "type patch; faces ((0 3 2 1));", "top": "type patch; faces ((8 9 10 11));"})
 case.sub("constant/demProperties", "count 1536; spacing 1.2036;", "count 972; spacing 1.05;")
 case.sub("0/U", "bottom { type noSlip; }", "bottom { type fixedValue; value uniform (0 0 0.002); }")
