@@ -15,9 +15,10 @@ from pathlib import Path
 
 import numpy
 
-# style and spheres of pictures: muellerBed leads to them
+# intervals, style and spheres of pictures: muellerBed leads to them
 sys.path.append(str(Path(__file__).resolve().parent/"muellerBed"))
 import render                                           # noqa: E402, F401
+from averages import student                            # noqa: E402
 from style import GREY, MEASURED, OTHER, OURS, POINTS, REFERENCE, below, panels, plain_ticks, plt, \
     save, shades           # noqa: E402, F401
 
@@ -70,17 +71,6 @@ def read_table(path):
 
 
 # ---- intervals -----------------------------------------------------------------------------------
-
-def student(freedom):
-    """97.5 % point of Student's t; exact for 1 and 2 degrees of freedom, then Abramowitz and Stegun
-    26.7.5, within 0.5 %."""
-    if freedom < 3:
-        return (12.7062, 4.3027)[freedom - 1]
-    z, n = 1.959964, float(freedom)
-    return (z + (z**3 + z)/(4*n) + (5*z**5 + 16*z**3 + 3*z)/(96*n**2)
-            + (3*z**7 + 19*z**5 + 17*z**3 - 15*z)/(384*n**3)
-            + (79*z**9 + 776*z**7 + 1482*z**5 - 1920*z**3 - 945*z)/(92160*n**4))
-
 
 def interval(values):
     """Mean of independent values and half the width of its 95 % interval; a single value has

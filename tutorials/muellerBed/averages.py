@@ -80,8 +80,10 @@ def velocity_in_time(count, total):
 # ---- intervals -----------------------------------------------------------------------------------
 
 def student(freedom):
-    """97.5 % point of Student's t; Abramowitz and Stegun 26.7.5, within 0.5 % from 3 degrees of
-    freedom on."""
+    """97.5 % point of Student's t; exact for 1 and 2 degrees of freedom, then Abramowitz and Stegun
+    26.7.5, within 0.5 %."""
+    if freedom < 3:
+        return (12.7062, 4.3027)[freedom - 1]
     z, n = 1.959964, float(freedom)
     return (z + (z**3 + z)/(4*n) + (5*z**5 + 16*z**3 + 3*z)/(96*n**2)
             + (3*z**7 + 19*z**5 + 17*z**3 - 15*z)/(384*n**3)
