@@ -4,7 +4,8 @@ enabled, purgeWrite, writing and stopping on request, -postProcess. Settings tha
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from case import *
-from solvers.box import fallen, prepare, speed, spheres_apart
+from closures import speed
+from solvers.box import fallen, prepare, spheres_apart
 
 control = "system/controlDict"
 one = "insert { one { type list; diameter 1e-4; positions ( (0.0071 0.0083 0.037) ); } }\n"
@@ -28,7 +29,7 @@ for way in ("no", "yes"):
     claim(f"{what}: particles move in 81 steps, as other function objects",
           len(re.findall("Suna: 1 particles, .* DEM steps, void", case.log("pimpleFoam"))) == 81)
     # two-way the sphere drags its cells along: 2 %
-    claim(f"{what}: the sphere has fallen for 81 ms", close(fallen(case, "0.1"), speed(0.081, 10, 1e-4), 0.02))
+    claim(f"{what}: the sphere has fallen for 81 ms", close(fallen(case, "0.1"), speed(0.081), 0.02))
     claim(f"{what}: it is written when it moves",
           written(case/"0.05/uniform/dem.snapshot") and not (case/"0.15/uniform/dem.snapshot").exists())
 
@@ -67,7 +68,7 @@ for way in ("no", "yes"):
     claim_runs(f"{what}: runs", case, "pimpleFoam")
     claim(f"{what}: particles stand still in 50 of 150 steps",
           len(re.findall("Suna: 1 particles, .* DEM steps, void", case.log("pimpleFoam"))) == 100)
-    claim(f"{what}: the sphere has fallen for 100 ms", lambda: close(fallen(case, "0.15"), speed(0.1, 10, 1e-4), 0.02))
+    claim(f"{what}: the sphere has fallen for 100 ms", lambda: close(fallen(case, "0.15"), speed(0.1), 0.02))
     claim(f"{what}: the log tells it", "functions/particles is disabled: the particles stand still" in
           case.log("pimpleFoam") and "functions/particles is enabled again" in case.log("pimpleFoam"))
 

@@ -37,17 +37,6 @@ def spheres_apart(case, a, b):
     return apart(a, b)
 
 
-def speed(t, rho, mu, d=1e-4, density=3000):
-    """m dv/dt = (m - rho V) g - 3 pi mu d (1 + 0.15 Re^0.687) v from rest, by midpoint steps of 10 us (good to 1e-6)."""
-    def acceleration(v):
-        return 9.81*(1 - rho/density) - 18*mu/(density*d*d)*v*(1 + 0.15*(rho*d*v/mu)**0.687)
-
-    v, h = 0.0, 1e-5
-    for _ in range(round(t/h)):
-        v += h*acceleration(v + h/2*acceleration(v))
-    return v
-
-
 def fallen(case, time, sphere=0):
     """The downward speed of this sphere."""
     return -case.particles(time, "U")[sphere, 3]

@@ -6,7 +6,8 @@ opposite momentum.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from case import *
-from solvers.box import apart, fallen, prepare, speed, spheres_apart
+from closures import speed
+from solvers.box import apart, fallen, prepare, spheres_apart
 
 control = "system/controlDict"
 

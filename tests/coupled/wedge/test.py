@@ -8,7 +8,7 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from pipe import *
-from closures import gidaspow_gradient
+from closures import gidaspow_gradient, speed
 
 GLASS = "glass { density 2500; youngsModulus 1e6; }"
 
@@ -41,19 +41,7 @@ for kernel in ("divided", "diffusion"):
 
 # ---- a sphere settles ------------------------------------------------------------------------------
 
-
-def speed(end):
-    """The speed of a sphere that falls from rest, as in tests/coupled/settling."""
-    def acceleration(v):
-        Re = 10*1e-4*v/1e-4
-        return 9.81*(1 - 10/3000) - 18*1e-4/(3000*1e-8)*v*(1 + 0.15*Re**0.687)
-    v, step = 0, 1e-5
-    for _ in range(round(end/step)):
-        v += step*acceleration(v + step/2*acceleration(v))
-    return v
-
-
-# cells of the same size as there: a pipe of the same cross-section
+# cells of the same size as in tests/coupled/settling: a pipe of the same cross-section
 for place, position in (("axis", "(0 0 0.0457)"), ("off-axis", "(-0.0123 0.0111 0.0457)")):
     for way, share in (("no", 0.005), ("yes", 0.01)):
         name = f"settling, {place}, two-way {way}"
