@@ -46,9 +46,6 @@ struct dem_case
     int inserts;                                /* 1: groups are new at this restart */
 };
 
-/* Frees a run, and what a case has besides it. */
-void dem_sim_free(struct dem *);
-
 /* Collective. Give the triangles of all patches to the streams. */
 int dem_sim_assign_patches(struct dem *);
 
