@@ -365,7 +365,7 @@ void Foam::demTransfer::depositVolume
 }
 
 
-#define INSTANTIATE(Type, VolField)                                            \
+#define INSTANTIATE(Type)                                                      \
                                                                                \
 template Foam::tmp<Foam::Field<Foam::Type>>                                    \
 Foam::demTransfer::sample(const UList<Type>&) const;                           \
@@ -373,22 +373,9 @@ Foam::demTransfer::sample(const UList<Type>&) const;                           \
 template void Foam::demTransfer::removeShortWaves(Field<Type>&) const;         \
                                                                                \
 template void Foam::demTransfer::deposit                                       \
-(const UList<Type>&, Field<Type>&) const;                                      \
-                                                                               \
-void Foam::demTransfer::deposit                                                \
-(const UList<Type>& perParticle, VolField& density) const                      \
-{                                                                              \
-    deposit<Type>(perParticle, density.primitiveFieldRef());                   \
-    density.correctBoundaryConditions();                                       \
-}                                                                              \
-                                                                               \
-void Foam::demTransfer::deposit                                                \
-(const UList<Type>& perParticle, VolField::Internal& density) const            \
-{                                                                              \
-    deposit<Type>(perParticle, density.field());                               \
-}
+(const UList<Type>&, Field<Type>&) const;
 
-INSTANTIATE(scalar, volScalarField)
-INSTANTIATE(vector, volVectorField)
+INSTANTIATE(scalar)
+INSTANTIATE(vector)
 
 #undef INSTANTIATE
