@@ -14,3 +14,12 @@ def make(case):
     case.flow("(0 0 0)", """floor { type movingWallVelocity; value uniform (0 0 0); }
     sides { type slip; } top { type pressureInletOutletVelocity; value uniform (0 0 0); }""",
               '"(floor|sides)" { type fixedFluxPressure; } top { type fixedValue; value uniform 0; }')
+    case.dictionary("0/pointDisplacement", """dimensions [0 1 0 0 0 0 0];
+internalField uniform (0 0 0);
+boundaryField
+{
+    floor { type solidBodyMotionDisplacement; solidBodyMotionFunction linearMotion; velocity (0 0 0.05);
+            value uniform (0 0 0); }
+    sides { type slip; }
+    top { type fixedValue; value uniform (0 0 0); }
+}""", "pointVectorField")
