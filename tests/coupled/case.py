@@ -212,12 +212,16 @@ class Case:
     def controls(self, end, step, write=None, functions="", nu=None, precision=16):
         """Write controlDict: the end, the step and the interval of written times, `end` if not given [s], and
         these function objects; and the fluid's viscosity."""
-        self.dictionary("system/controlDict", f"""startFrom startTime; startTime 0; stopAt endTime;
+        self.dictionary("system/controlDict", f"""startFrom startTime;
+startTime 0;
+stopAt endTime;
 endTime {end};
 deltaT {step};
 writeControl runTime;
 writeInterval {write or end};
-writePrecision {precision}; timeFormat general; timePrecision 12; runTimeModifiable no;
+writePrecision {precision};
+timePrecision 12;
+runTimeModifiable no;
 functions {{ {functions} }}""")
         if nu is not None:
             self.edit("constant/transportProperties", nu=nu)
