@@ -8,8 +8,6 @@
     directions, -thin: one cell and periodic in z, -corner: a quarter is cut away.
     A parallel run compares with the file `serial` that a serial run left in the case.
 
-    This file is part of Suna, free software under the GNU General Public
-    License, version 3 or any later version, without any warranty.
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
