@@ -24,7 +24,6 @@
  */
 #include "advisor/regime.h"
 #include "advisor/minimum_fluidisation.h"
-#include "core/error.h"
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;

@@ -21,7 +21,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "advisor/regime.h"
-#include "core/error.h"
 #include <math.h>
 #include <stdio.h>
 

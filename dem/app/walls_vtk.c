@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "app/walls_vtk.h"
-#include "core/error.h"
 #include "dem_tables.h"
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "dem.h"
-#include "core/error.h"
 #include "core/text.h"
 #include "input/dictionary.h"
 #include <stdlib.h>

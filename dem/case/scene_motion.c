@@ -7,7 +7,6 @@
 #include "core/error.h"
 #include "core/did_you_mean.h"
 #include "core/memory.h"
-#include "core/vec.h"
 #include <math.h>
 #include <string.h>
 

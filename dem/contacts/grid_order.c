@@ -4,7 +4,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "core/error.h"
 #include "core/memory.h"
 #include "core/sort.h"
 #include "contacts/grid.h"

@@ -12,7 +12,6 @@
  */
 #include "input/dictionary.h"
 
-#include "core/error.h"
 #include "core/hash.h"
 #include "core/text.h"
 #include "input/dictionary_tree.h"

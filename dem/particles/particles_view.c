@@ -5,7 +5,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "particles/particles.h"
-#include "core/error.h"
 #include "core/memory.h"
 #include <string.h>
 

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/memory.h"
 #include "core/file.h"
-#include "records/grid_averages.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

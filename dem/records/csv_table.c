@@ -10,7 +10,6 @@
  */
 #include "records/csv_table.h"
 
-#include "core/error.h"
 #include "core/memory.h"
 #include <string.h>
 

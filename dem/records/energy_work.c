@@ -14,7 +14,6 @@
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "contacts/contact_batch.h"
 #include "core/vec.h"
 #include "particles/scalars.h"
 #include "records/cell_stress.h"

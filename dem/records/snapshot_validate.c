@@ -9,7 +9,6 @@
 #include "records/snapshot_validate.h"
 #include "core/error.h"
 #include "core/vec.h"
-#include "particles/initial_particles.h"
 #include <fenv.h>
 #include <math.h>
 #include <string.h>

@@ -6,7 +6,6 @@
  */
 #include "records/totals.h"
 #include "core/binned_sum.h"
-#include "core/error.h"
 #include "core/vec.h"
 #include "records/fingerprint.h"
 #include "particles/scalars.h"

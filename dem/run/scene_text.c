@@ -6,7 +6,6 @@
  */
 #include "run/scene_text.h"
 #include "dem_numbers.h"
-#include "core/error.h"
 #include "core/vec.h"
 #include "ranks/collect.h"
 #include "records/inventory.h"

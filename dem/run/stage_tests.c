@@ -15,7 +15,6 @@
 #include "case/stages.h"
 #include "core/error.h"
 #include "core/vec.h"
-#include "records/totals.h"
 #include "run/stage_tests.h"
 #include "sources/flows.h"
 #include <math.h>

@@ -9,7 +9,6 @@
 #include "dem_query.h"
 #include "ranks/collect.h"
 #include "records/totals.h"
-#include "records/wall_statistics.h"
 #include "records/wall_wear.h"
 #include "walls/wall_rotation.h"
 #include <math.h>

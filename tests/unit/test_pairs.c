@@ -12,7 +12,6 @@
 #include "tap.h"
 
 #include "core/error.h"
-#include "core/memory.h"
 #include "core/random.h"
 #include "contacts/grid.h"
 #include "contacts/pairs.h"
