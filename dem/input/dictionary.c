@@ -11,7 +11,6 @@
 #include "core/did_you_mean.h"
 #include "input/dictionary_tree.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 
-#include <stdio.h>
 #include <string.h>
 
 enum

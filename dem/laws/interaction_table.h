@@ -13,7 +13,6 @@
 #include "laws/effect.h"
 #include "laws/fused/fused.h"
 #include "laws/parcels.h"
-#include <stddef.h>
 
 enum
 {

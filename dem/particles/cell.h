@@ -29,7 +29,6 @@
  */
 #pragma once
 
-#include <stdint.h>
 
 enum
 {

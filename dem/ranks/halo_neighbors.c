@@ -11,7 +11,6 @@
 #include "core/memory.h"
 #include "core/sort.h"
 #include <math.h>
-#include <stdlib.h>
 
 void dem_halo_box(const struct dem_halo *h, const struct dem_domain *d, int rank, double box[2][3])
 {

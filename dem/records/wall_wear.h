@@ -33,7 +33,6 @@
 
 #include "contacts/contact_batch.h"
 #include "core/text.h"
-#include <stddef.h>
 #include <stdint.h>
 
 struct dem_state;
