@@ -56,7 +56,6 @@ struct dem_opencl
     cl_program program;
     struct dem_opencl_kernel *kernels;
     struct dem_opencl_times *times;    /* NULL: commands are not timed */
-    size_t bytes;
 };
 
 /* The functions, or an error with a sentence. */

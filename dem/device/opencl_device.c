@@ -264,7 +264,6 @@ void dem_opencl_release(struct dem_opencl *cl, struct dem_opencl_memory *m)
     if (m->buffer)
     {
         (void)cl->calls->clReleaseMemObject(m->buffer);
-        cl->bytes -= m->bytes;
     }
     *m = (struct dem_opencl_memory){NULL, 0};
 }
@@ -284,13 +283,7 @@ int dem_opencl_reserve(struct dem_opencl *cl, struct dem_opencl_memory *m, size_
     m->buffer = cl->calls->clCreateBuffer(cl->context, CL_MEM_READ_WRITE, size, NULL, &error);
     DEM_TRY(dem_opencl_status(cl, error, "allocate memory"));
     m->bytes = size;
-    cl->bytes += size;
     return DEM_OK;
-}
-
-size_t dem_opencl_bytes(const struct dem_opencl *cl)
-{
-    return cl->bytes;
 }
 
 int dem_opencl_write(struct dem_opencl *cl, const struct dem_opencl_memory *m, size_t offset,

@@ -57,7 +57,6 @@ int dem_opencl_kernel(struct dem_opencl *, const char *name, struct dem_opencl_k
 /* Memory for at least so many bytes; its content is lost when it grows. */
 int dem_opencl_reserve(struct dem_opencl *, struct dem_opencl_memory *, size_t bytes);
 void dem_opencl_release(struct dem_opencl *, struct dem_opencl_memory *);
-size_t dem_opencl_bytes(const struct dem_opencl *);    /* of all memory reserved */
 
 /* Arguments of a kernel: n memories, from this one on; an integer. Then make `items` work items of
    it. */

@@ -66,12 +66,6 @@ void dem_opencl_release(struct dem_opencl *cl, struct dem_opencl_memory *m)
     (void)cl, (void)m;
 }
 
-size_t dem_opencl_bytes(const struct dem_opencl *cl)
-{
-    (void)cl;
-    return 0;
-}
-
 int dem_opencl_give(struct dem_opencl *cl, struct dem_opencl_kernel *k, int argument, int n,
                     const struct dem_opencl_memory *const *m)
 {

@@ -11,7 +11,6 @@ enum
 {
     DEM_DEVICE_GROUP = 64,      /* work items of a group */
     DEM_DEVICE_BATCH = 256,     /* steps between two looks of the host, at most */
-    DEM_DEVICE_IMAGES = 27,     /* periodic shifts of a pair */
     DEM_DEVICE_SUM = 72,        /* digits of an exact sum, and some */
     DEM_DEVICE_WAKE_DRAG = 9,   /* DEM_OWN_WAKE_DRAG */
     DEM_DEVICE_WAKE = 11,       /* numbers of an own wake (DEM_OWN_WAKE_WIDTH) */
