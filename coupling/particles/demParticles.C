@@ -160,7 +160,7 @@ void Foam::demParticles::setUp()
         dem_case_fluid_density(case_, fluidDensity());
     }
     demCheck(dem_start(&case_, &dem_));
-    dem_device_keep_contacts(dem_);
+    demCheck(dem_device_keep_contacts(dem_));
     dem_set_stop_flag(dem_, dem_repeated_signal());
     refresh();
     reportStart();

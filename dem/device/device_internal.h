@@ -72,6 +72,9 @@ struct dem_device
         struct dem_device_rows list;
         struct dem_particle *ghost;
         size_t ghosts, capacity;
+        struct dem_facet *facet;        /* of the rows of walls */
+        size_t facets;
+        int64_t selections;             /* of triangles, when they were copied */
     } backup;
     /* of lists that are made */
     struct dem_opencl_memory lists, reference, cell, place, first, order, row_first, sums, partner,
@@ -114,11 +117,13 @@ int dem_device_get(struct dem_device *, struct dem_state *);
 int dem_device_reserve_rows(struct dem_device *, const struct dem_state *, uint32_t rows);
 
 /* device_state.c: the same where contacts have stayed on the device: particles, and forces of the scene. Rows of the
-   host away; the history of rows that do not touch to zero; history of these rows as saved history of the host. */
+   host away; the history of rows that do not touch to zero; history of these rows, at these facets, as saved history
+   of the host. */
 int dem_device_put_window(struct dem_device *, const struct dem_state *);
 void dem_device_drop_host_rows(struct dem_contacts *);
 int dem_device_clear_apart(struct dem_device *, int columns);
-int dem_device_get_saved(struct dem_device *, struct dem_state *, const struct dem_device_rows *);
+int dem_device_get_saved(struct dem_device *, struct dem_state *, const struct dem_device_rows *,
+                         const struct dem_facet *);
 
 /* device_window.c: after the last step of a window, whose contacts stay: particles and sums of their contacts to the
    host. */

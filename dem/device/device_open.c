@@ -212,6 +212,7 @@ void dem_device_free(struct dem_state *state)
         dem_memory_free(d->frame);
         dem_memory_free(d->speed);
         dem_memory_free(d->backup.ghost);
+        dem_memory_free(d->backup.facet);
     }
     dem_memory_free(d);
     state->device = NULL;
@@ -222,7 +223,7 @@ const char *dem_device_name(const struct dem_device *d)
     return d->name;
 }
 
-/* Lists, history and the state before a batch are held twice or thrice. */
+/* Lists, history and the state before a batch are held twice or thrice; with a fluid, contacts of a backup, too. */
 double dem_device_memory(const struct dem_state *state)
 {
     const struct dem_interaction_table *const t = &state->interaction_table;
@@ -230,10 +231,11 @@ double dem_device_memory(const struct dem_state *state)
                  rows = fmax((double)state->contacts.rows.n, BED_ROWS*n);
     const size_t columns = dem_device_columns_width(&state->particles),
                  history = (size_t)t->history_columns;
+    const int fluid = dem_column(&state->particles, DEM_COLUMN_FLUID_VELOCITY) != NULL;
     const size_t particle = 2*sizeof(struct dem_particle) + (7 + (size_t)t->classes)*sizeof(uint32_t) +
-                            (4 + 2 + 2*columns)*sizeof(double);
-    const size_t row = 3 + 11*sizeof(uint32_t) +
-                       (8 + 4*(size_t)(t->moments + t->past_touching) + 3*history +
+                            (4 + 2 + 2*columns + (fluid ? 8 : 0))*sizeof(double);
+    const size_t row = 3 + (fluid ? 13 : 11)*sizeof(uint32_t) +
+                       (8 + 4*(size_t)(t->moments + t->past_touching) + (fluid ? 4 : 3)*history +
                         2*(size_t)(t->contact_scalars ? t->listed : 0))*sizeof(double);
 
     return n*(double)particle + rows*(double)row + (double)sizeof(struct dem_device_batch) +

@@ -163,6 +163,7 @@ int dem_device_put_particles(struct dem_device *d, const struct dem_state *state
     DEM_TRY(dem_opencl_reserve(d->cl, &d->record, records));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_record, records));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->reference, 4*all*sizeof(double)));
+    DEM_TRY(dem_opencl_reserve(d->cl, &d->contact_sums, d->keeps ? 8*n*sizeof(double) : 0));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->before_lost, n*sizeof *lost));
     DEM_TRY(dem_opencl_reserve(d->cl, &d->columns, columns));
@@ -220,9 +221,9 @@ static int get_rows(struct dem_device *d, struct dem_contact_history *h)
     return DEM_OK;
 }
 
-/* near: of a wall row, or NULL. */
-static struct dem_contact_key key_of(const struct dem_state *state, const uint32_t partners[2],
-                                     int wall, const uint32_t *near)
+/* facets: of all walls; near: of a wall row, or NULL. */
+static struct dem_contact_key key_of(const struct dem_state *state, const uint32_t partners[2], int wall,
+                                     const struct dem_facet *facets, const uint32_t *near)
 {
     const struct dem_particle *const record = state->particles.record,
                               *const i = &record[partners[0]];
@@ -230,7 +231,7 @@ static struct dem_contact_key key_of(const struct dem_state *state, const uint32
 
     if (wall)
     {
-        const struct dem_facet *const facet = &state->walls.facet[partners[1]];
+        const struct dem_facet *const facet = &facets[partners[1]];
 
         key.high = -1 - facet->number;
         key.image = near ? dem_device_facet_image(&state->walls, facet, near[3], i->image) : 0;
@@ -247,7 +248,7 @@ static struct dem_contact_key key_of(const struct dem_state *state, const uint32
 
 /* History of the device's own rows as saved history of the host, which has no lists then. */
 static int save_rows(struct dem_device *d, struct dem_state *state, const struct dem_device_rows *list,
-                     const double *history)
+                     const struct dem_facet *facets, const double *history)
 {
     struct dem_contact_history *const h = &state->contacts.history;
     double values[DEM_HISTORY_COLUMNS];
@@ -265,7 +266,7 @@ static int save_rows(struct dem_device *d, struct dem_state *state, const struct
         {
             const int wall = row >= list->walls;
             const struct dem_contact_key key =
-                key_of(state, d->word + 2*(size_t)row, wall,
+                key_of(state, d->word + 2*(size_t)row, wall, facets,
                        wall && d->of_near ? d->word + 2*(size_t)list->rows +
                                                 4*(size_t)(row - list->walls)
                                           : NULL);
@@ -284,7 +285,8 @@ void dem_device_drop_host_rows(struct dem_contacts *c)
     dem_contact_forces_clear(&c->forces);
 }
 
-int dem_device_get_saved(struct dem_device *d, struct dem_state *state, const struct dem_device_rows *list)
+int dem_device_get_saved(struct dem_device *d, struct dem_state *state, const struct dem_device_rows *list,
+                         const struct dem_facet *facets)
 {
     const size_t numbers = (size_t)state->contacts.history.columns*list->rows;
     double *history;
@@ -304,7 +306,7 @@ int dem_device_get_saved(struct dem_device *d, struct dem_state *state, const st
     status = status ? status
                     : dem_opencl_read(d->cl, &list->near, 0, near*sizeof *d->word,
                                       d->word + 2*(size_t)list->rows);
-    status = status ? status : save_rows(d, state, list, history);
+    status = status ? status : save_rows(d, state, list, facets, history);
     dem_memory_free(history);
     return status;
 }
@@ -326,5 +328,5 @@ int dem_device_get(struct dem_device *d, struct dem_state *state)
 
     DEM_TRY(dem_device_get_particles(d, state));
     DEM_TRY(h->columns > 0 ? dem_device_clear_apart(d, h->columns) : DEM_OK);
-    return d->own ? dem_device_get_saved(d, state, &d->list[d->at]) : get_rows(d, h);
+    return d->own ? dem_device_get_saved(d, state, &d->list[d->at], state->walls.facet) : get_rows(d, h);
 }

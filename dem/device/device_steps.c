@@ -315,7 +315,6 @@ static int begin_advance(struct dem_device *d, struct dem_state *state, const st
     const struct dem_displacement *const since = &state->pairs.displacement[DEM_LIST_OUTER];
 
     DEM_TRY(DEM_GROW(d->speed, d->speeds, steps->most));
-    DEM_TRY(dem_opencl_reserve(d->cl, &d->contact_sums, steps->last > 0 ? 8*state->particles.n*sizeof(double) : 0));
     if (state->contacts_on_device)
     {
         DEM_TRY(dem_device_put_window(d, state));
@@ -327,9 +326,21 @@ static int begin_advance(struct dem_device *d, struct dem_state *state, const st
     return dem_device_refer(d, state);
 }
 
+/* No step was made. The host's rows go on, if it has them; else records have the images of the device's rows. */
+static int leave_unmade(struct dem_device *d, struct dem_state *state)
+{
+    const size_t all = state->particles.n + state->particles.ghosts;
+
+    return state->contacts_on_device
+               ? dem_agree(state, dem_opencl_read(d->cl, &d->record, 0, all*sizeof *state->particles.record,
+                                                  state->particles.record))
+               : DEM_OK;
+}
+
 int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
 {
     struct dem_device *const d = state->device;
+    const int64_t lists = d->counts.lists;
 
     steps->made = 0;
     const int begun = begin_advance(d, state, steps);
@@ -338,14 +349,16 @@ int dem_device_advance(struct dem_state *state, struct dem_device_steps *steps)
     steps->speed = d->speed;
     DEM_TRY(make_steps(d, state, steps));
     dem_device_leave_walls(state, steps);
+    steps->lists = d->counts.lists > lists;
     if (steps->made == 0)
     {
-        /* nothing has changed on the host, and the device has its lists */
-        return DEM_OK;
+        return leave_unmade(d, state);
     }
     d->counts.steps += steps->made;
     d->counts.parts++;
-    return dem_agree(state, steps->last > 0 && steps->first + steps->made > steps->last
-                                ? dem_device_get_window(d, state)
-                                : dem_device_get(d, state));
+    const int ended = steps->last > 0 && steps->first + steps->made > steps->last;
+
+    DEM_TRY(dem_agree(state, ended ? dem_device_get_window(d, state) : dem_device_get(d, state)));
+    state->contacts_on_device = ended;
+    return DEM_OK;
 }

@@ -1,11 +1,12 @@
 /*
  * device_steps.h -- steps on a device, with the same bits as on the CPU.
  *
- * The host owns the state between advances; contacts may stay on the device (dem_device_keep). Within an
- * advance the host makes the steps that something reads: the last one of a window, samples, backups. From a step on whose lists are valid the device
- * makes the steps up to the next of these: the state is copied to it, steps and new lists are made,
- * the state is copied back (dem_device_advance). Whatever reads the state finds it on the host, and files do not
- * know of the device.
+ * The host owns the state between advances. Within an advance it makes the steps that something reads: samples,
+ * backups, the last one of a window. From a step on whose lists are valid the device makes the steps up to the next of
+ * these: the state is copied to it, steps and new lists are made, the state is copied back (dem_device_advance).
+ * Whatever reads the state finds it on the host, and files do not know of the device.
+ *
+ * After dem_device_keep the device makes the last step of a window, too, and contacts stay there (device_window.c).
  *
  * Events that the host has to report or to handle take the device back to the state before its last
  * batch of steps; the host makes the steps up to the event from there.
@@ -73,6 +74,7 @@ struct dem_device_steps
     /* called before each batch of steps, by all ranks; end: 1 to end here */
     int (*ends)(struct dem_state *, int64_t made, int *end);
     int64_t made;             /* result: 0: the host has to make the first one */
+    int lists;                /* result: 1: lists were made, so that ghosts and marks of walls are no longer the host's */
     const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
 };
 
@@ -82,8 +84,8 @@ int dem_device_advance(struct dem_state *, struct dem_device_steps *);
 
 /* ---- contacts that stay on the device between windows (state->contacts_on_device) ---------------- */
 
-/* From now on they may. */
-void dem_device_keep(struct dem_state *);
+/* From now on they may; walls have sums of impulses then. */
+int dem_device_keep(struct dem_state *);
 
 /* 1 when the device can make the last step of this window, and keep its contacts. */
 int dem_device_makes_last_step(const struct dem_state *);

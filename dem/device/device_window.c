@@ -1,10 +1,11 @@
 /*
  * device_window.c -- contacts that stay on the device from one coupling window to the next.
  *
- * The device makes the last step of a window, too. The host gets the particles and the sums of their contact
- * forces, which the first half kick of the next window needs; it has no contact rows then
- * (dem_state.contacts_on_device). Before anything reads these, dem_device_return_contacts brings their history back as
- * saved history.
+ * The device makes the last step of a window, too. The host gets the particles and the sums of their contact forces,
+ * which the first half kick of the next window needs. It has no contact rows then, though its lists count as valid
+ * (dem_state.contacts_on_device): ghosts are those of the device's lists. dem_device_return_contacts brings the history
+ * back, as saved history: before a snapshot, a hash, an edit or arrivals and departures between windows
+ * (dem/run), and in a step that the host makes (neighbor_update.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -17,6 +18,8 @@
 #include <math.h>
 #include <string.h>
 
+/* Energies, bonds and rows of all contacts are read on the host after that step, and so is the work of walls that
+   move. */
 int dem_device_makes_last_step(const struct dem_state *state)
 {
     return state->device->keeps && dem_column(&state->particles, DEM_COLUMN_FLUID_VELOCITY) &&
@@ -24,9 +27,13 @@ int dem_device_makes_last_step(const struct dem_state *state)
            state->walls.frames == 0 && state->walls.all_flat_static;
 }
 
-void dem_device_keep(struct dem_state *state)
+int dem_device_keep(struct dem_state *state)
 {
+    /* forces on walls come from the device in these sums only */
+    DEM_TRY(state->wall_statistics->sum ? DEM_OK
+                                        : dem_wall_statistics_begin(state->wall_statistics, state->walls.walls));
     state->device->keeps = 1;
+    return DEM_OK;
 }
 
 /* ---- after the last step ------------------------------------------------------------------------ */
@@ -55,14 +62,13 @@ int dem_device_get_window(struct dem_device *d, struct dem_state *state)
 {
     DEM_TRY(dem_device_get_particles(d, state));
     dem_device_drop_host_rows(&state->contacts);
-    DEM_TRY(get_contact_sums(d, state));
-    state->contacts_on_device = 1;
-    return DEM_OK;
+    return get_contact_sums(d, state);
 }
 
 /* ---- forces on walls in the last step ----------------------------------------------------------- */
 
-/* Add them, times `factor`, to the sums of each wall. */
+/* Add them, times `factor`, to the sums of each wall: the kernel multiplies by dt, as in a step that is not the last
+   one of its window. */
 static int sum_wall_forces(struct dem_device *d, struct dem_state *state, double factor, struct dem_binned_sum *to)
 {
     struct dem_device_batch batch = {.dt = factor,
@@ -84,6 +90,7 @@ int dem_device_kick_walls(struct dem_state *state, double kick)
 {
     struct dem_wall_statistics *const b = state->wall_statistics;
 
+    /* a backup may have saved them, summed and rounded; these are exact */
     dem_wall_statistics_drop_forces(b);
     return b->sum && kick > 0.0 ? sum_wall_forces(state->device, state, kick, b->sum) : DEM_OK;
 }
@@ -92,7 +99,7 @@ int dem_device_save_wall_forces(struct dem_state *state)
 {
     struct dem_wall_statistics *const b = state->wall_statistics;
 
-    if (!state->contacts_on_device || !b->sum || b->saved)
+    if (!state->contacts_on_device || b->saved)
     {
         return DEM_OK;
     }
@@ -114,8 +121,8 @@ static int get_contacts(struct dem_state *state, int between)
 
     DEM_TRY(between ? dem_device_save_wall_forces(state) : DEM_OK);
     DEM_TRY(columns > 0 ? dem_device_clear_apart(d, columns) : DEM_OK);
-    DEM_TRY(dem_device_get_saved(d, state, &d->list[d->at]));
-    state->contacts.forces.touching = touching;
+    DEM_TRY(dem_device_get_saved(d, state, &d->list[d->at], state->walls.facet));
+    state->contacts.forces.touching = touching;    /* the number outlives the rows */
     return DEM_OK;
 }
 
@@ -130,6 +137,21 @@ static int copy(struct dem_device *d, const struct dem_opencl_memory *from, stru
 {
     DEM_TRY(dem_opencl_reserve(d->cl, to, bytes));
     return dem_opencl_copy(d->cl, from, to, bytes);
+}
+
+/* Rows name facets by their place, and a rebuild may hold other triangles. */
+static int copy_facets(struct dem_device *d, const struct dem_state *state)
+{
+    const struct dem_walls *const w = &state->walls;
+
+    if (d->backup.facet && d->backup.selections == state->wall_store.selections)
+    {
+        return DEM_OK;
+    }
+    DEM_TRY(DEM_GROW(d->backup.facet, d->backup.facets, (size_t)w->facets + 1));
+    memcpy(d->backup.facet, w->facet, (size_t)w->facets*sizeof *w->facet);
+    d->backup.selections = state->wall_store.selections;
+    return DEM_OK;
 }
 
 int dem_device_backup(struct dem_state *state)
@@ -155,6 +177,7 @@ int dem_device_backup(struct dem_state *state)
     DEM_TRY(DEM_GROW(d->backup.ghost, d->backup.capacity, ghosts + 1));
     memcpy(d->backup.ghost, state->particles.record + state->particles.n, ghosts*sizeof *d->backup.ghost);
     d->backup.ghosts = ghosts;
+    DEM_TRY(copy_facets(d, state));
     to->walls = list->walls;
     to->rows = list->rows;
     return DEM_OK;
@@ -173,5 +196,5 @@ int dem_device_restore(struct dem_state *state)
 
     DEM_TRY(dem_particles_grow(&state->particles, n + d->backup.ghosts));
     memcpy(state->particles.record + n, d->backup.ghost, d->backup.ghosts*sizeof *d->backup.ghost);
-    return dem_device_get_saved(d, state, &d->backup.list);
+    return dem_device_get_saved(d, state, &d->backup.list, d->backup.facet);
 }

@@ -47,10 +47,10 @@ int dem_case_exchange_scalar(struct dem_case *, const char *name);
    streams and outlets act in dem_flow_apply only, and the scene may name patches of a mesh. */
 int dem_case_flows_on_request(struct dem_case *);
 
-/* After dem_start. Contacts may stay on the device of the run (dem_query.h) between two advances: it makes the last
-   step of an advance, too, and only particles are copied to the host. While they stay there, dem_wall_load comes
-   after dem_wall_impulse_reset. Without a device, or where the host has to make that step, nothing changes. */
-void dem_device_keep_contacts(struct dem *);
+/* Collective, after dem_start. Contacts may stay on the device of the run (dem_query.h) between two advances: it makes the last
+   step of an advance, too, and only particles are copied to the host. The sums of
+   dem_wall_impulse begin. Without a device, or where the host has to make that step, nothing changes. */
+int dem_device_keep_contacts(struct dem *);
 
 /* Collective, before dem_case_check, for each patch of the scene's `insert`. A patch through which
    particles enter: n triangles of this rank, 9 numbers each [m], corners counterclockwise as seen

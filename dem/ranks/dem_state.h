@@ -133,7 +133,8 @@ struct dem_state
     struct dem_window window;
     struct dem_next_drift next_drift;
     enum dem_neighbors_state lists_state;
-    /* 1: they and the contact rows are the device's; the host has none (device/device_window.c) */
+    /* 1: they and the contact rows are the device's; the host has none, though its lists count as valid
+       (device/device_window.c) */
     int contacts_on_device;
 
     /* all-reduces of dem_agree */

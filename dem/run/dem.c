@@ -256,7 +256,7 @@ int dem_restore(struct dem *d, double *time)
                 "there is no backup to restore; dem_backup_every comes before dem_restore");
     DEM_TRY(dem_wall_statistics_restore(state->wall_statistics));
     DEM_TRY(dem_backup_restore(&state->backup, &state->particles, &state->contacts));
-    DEM_TRY(dem_device_restore(state));
+    DEM_TRY(state->device ? dem_sim_agree(d, dem_device_restore(state)) : DEM_OK);
     dem_flows_restore(state->flows);
     dem_wall_wear_restore(state);
     dem_energy_balance_restore(state->energy_balance, state->walls.walls);

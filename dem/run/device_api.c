@@ -13,12 +13,9 @@ const char *dem_device(const struct dem *d)
     return d->device;
 }
 
-void dem_device_keep_contacts(struct dem *d)
+int dem_device_keep_contacts(struct dem *d)
 {
-    if (d->state.device)
-    {
-        dem_device_keep(&d->state);
-    }
+    return d->state.device ? dem_sim_agree(d, dem_device_keep(&d->state)) : DEM_OK;
 }
 
 double dem_device_bytes(const struct dem *d)

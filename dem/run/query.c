@@ -167,10 +167,7 @@ static int require_wall(const struct dem *d, int wall, const char *call)
 int dem_wall_load(struct dem *d, int wall, double force[3], double torque[3])
 {
     DEM_TRY(require_wall(d, wall, "dem_wall_load"));
-    DEM_REQUIRE(!d->state.contacts_on_device || d->state.wall_statistics->sum, DEM_ERROR_STATE,
-                "dem_wall_load: contacts are on the device (dem_device_keep_contacts); call "
-                "dem_wall_impulse_reset before dem_advance");
-    DEM_TRY(dem_sim_agree(d, dem_device_save_wall_forces(&d->state)));
+    DEM_TRY(d->state.contacts_on_device ? dem_sim_agree(d, dem_device_save_wall_forces(&d->state)) : DEM_OK);
     dem_totals_wall_force(&d->state, wall, force, torque);
     return dem_collect_status(&d->state.decomposition);
 }

@@ -280,7 +280,9 @@ int dem_neighbor_update(struct dem_state *state, const double *moved, int n, int
 
 int dem_neighbor_take_back(struct dem_state *state)
 {
+    dem_timers_begin_rare_phase(state->timers, DEM_PHASE_AGREE);
     DEM_TRY(dem_device_return_contacts(state, 0));
     DEM_TRY(dem_neighbor_rebuild(state));
+    dem_timers_end_rare_phase(state->timers, DEM_PHASE_REBUILD);
     return state->walls.absorbing ? absorb(state) : DEM_OK;
 }

@@ -19,7 +19,8 @@ int dem_neighbor_agreement_due(const struct dem_state *, double moved);
    to be inside a periodic box up to half a skin. Ghosts are up to date afterwards. */
 int dem_neighbor_update(struct dem_state *, const double *moved, int n, int observed);
 
-/* Collective, within a step: contacts that have stayed on a device come back, and lists are made. */
+/* Collective, within a step that the host makes after all: contacts that are on a device come back, and lists are
+   made. */
 int dem_neighbor_take_back(struct dem_state *);
 
 /* Collective, after the drift. `changes`: 1 when particles enter or leave in this step; passages through planes

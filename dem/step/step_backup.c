@@ -79,11 +79,16 @@ int dem_step_backup_ahead(struct dem_state *state, int status,
         return DEM_OK;
     }
     dem_clumps_store(&state->clumps, &state->particles);
-    DEM_TRY(dem_device_save_wall_forces(state));
+    DEM_TRY(state->device ? dem_agree(state, dem_device_save_wall_forces(state)) : DEM_OK);
     DEM_TRY(dem_wall_statistics_backup(state, half_kick ? half_kick->kick : 0.0));
     DEM_TRY(dem_energy_balance_backup(state->energy_balance, walls));
     DEM_TRY(dem_backup_save(backup, &state->particles, &state->contacts, state->pairs.wall_facet));
-    DEM_TRY(dem_device_backup(state));
+    if (state->device)
+    {
+        backup->valid = 0;
+        DEM_TRY(dem_agree(state, dem_device_backup(state)));
+        backup->valid = 1;
+    }
     dem_flows_backup(state->flows);
     dem_wall_wear_backup(state);
     dem_cell_backup(state);

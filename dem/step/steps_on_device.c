@@ -161,7 +161,8 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
     state->next_drift.max_speed = steps->speed[steps->made - 1];
 }
 
-static int make_steps(struct dem_state *state, int64_t first, int64_t *made)
+/* lists: 1 when the device has made lists; those of the host, if it has any, do not serve any more. */
+static int make_steps(struct dem_state *state, int64_t first, int64_t *made, int *lists)
 {
     const int last = dem_device_makes_last_step(state) &&
                      !dem_grid_averages_due(state->averages, state->window.start + state->window.length);
@@ -200,13 +201,15 @@ static int make_steps(struct dem_state *state, int64_t first, int64_t *made)
         count_made(state, &steps);
     }
     *made = steps.made;
+    *lists = steps.lists;
     return DEM_OK;
 }
 
 int dem_steps_on_device(struct dem_state *state, int64_t first, int64_t *made)
 {
+    int lists = 0;
+
     *made = 0;
-    DEM_TRY(make_steps(state, first, made));
-    /* the host makes this step, and needs the contacts */
-    return *made == 0 && state->contacts_on_device ? dem_neighbor_take_back(state) : DEM_OK;
+    DEM_TRY(make_steps(state, first, made, &lists));
+    return *made == 0 && (lists || state->contacts_on_device) ? dem_neighbor_take_back(state) : DEM_OK;
 }
