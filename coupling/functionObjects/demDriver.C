@@ -189,6 +189,7 @@ Foam::demDriver::demDriver(const fvMesh& mesh)
     lastStep_(-1),
     ended_(-1),
     without_(labelMax),
+    adjusting_(false),
     user_(nullptr),
     from_(-VGREAT),
     until_(VGREAT),
@@ -282,15 +283,23 @@ bool Foam::demDriver::active() const
 
 void Foam::demDriver::adjustStep()
 {
-    const Time& time = mesh_.time();
+    if (adjusting_)
+    {
+        return;                 // called by setDeltaT below
+    }
+
+    Time& time = const_cast<Time&>(mesh_.time());
     word name;
     const scalar deltaT = time.deltaTValue();
     const scalar ratio = steady_ || !inPeriod() ? 0 : stepControl_.particleRatio(deltaT, name);
 
     if (ratio > 1)
     {
-        const_cast<Time&>(time).setDeltaT(deltaT/ratio, false);
-        Info<< "Suna: time step limited by " << name << " to " << deltaT/ratio << " s" << endl;
+        // Time and function objects fit the shorter step to the next time that they write
+        adjusting_ = true;
+        time.setDeltaT(deltaT/ratio);
+        adjusting_ = false;
+        Info<< "Suna: time step limited by " << name << " to " << time.deltaTValue() << " s" << endl;
     }
 }
 

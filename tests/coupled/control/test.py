@@ -1,5 +1,6 @@
 """Time controls of controlDict and of the function object apply to particles as to fields: timeStart, timeEnd,
-enabled, purgeWrite, writing and stopping on request, -postProcess. Settings that would lose steps or cells are refused.
+enabled, purgeWrite, times to write that adjusted steps hit, stopping on request, -postProcess. Settings that would lose
+steps or cells are refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -32,6 +33,27 @@ for way in ("no", "yes"):
     claim(f"{what}: the sphere has fallen for 81 ms", close(fallen(case, "0.1"), speed(0.081), 0.02))
     claim(f"{what}: it is written when it moves",
           written(case/"0.05/uniform/dem.snapshot") and not (case/"0.15/uniform/dem.snapshot").exists())
+
+# ---- adjusted steps, which the particles limit, end at the times to write ---------------------------
+
+case = prepare("pimpleFoam", """insert { all { type random; count 50; diameter 1e-3; velocity (1.7 0 0);
+min (0 0 0.005); max (0.02 0.02 0.03); } }
+coupling { rho 1; }
+""", "adjusted")
+case.edit(control, endTime=0.03, writeInterval=0.01, writeControl="adjustableRunTime", adjustTimeStep="yes", maxCo=1)
+claim_runs("adjusted steps: runs", case, "pimpleFoam")
+claim("adjusted steps: the particles limit them", "Suna: time step limited by maxParticleCo" in case.log("pimpleFoam"))
+claim("adjusted steps: fluid and particles are written at the times that controlDict names",
+      case.times() == ["0.01", "0.02", "0.03"] and all((case/t/"lagrangian").is_dir() for t in case.times()),
+      case.times())
+case.remove("0.*[0-9]")
+case.sub(control, "^    particles", """    probe { type probes; libs ("libsampling.so"); fields (p);
+            probeLocations ((0.01 0.01 0.01)); writeControl adjustableRunTime; writeInterval 0.004; }
+    particles""")
+case.run("pimpleFoam")
+probed = np.loadtxt(case/"postProcessing/probe/0/p")[:, 0]
+claim("adjusted steps: a function object before the particles writes at its times",
+      all(min(abs(probed - 0.004*n)) < 1e-9 for n in range(1, 8)), probed)
 
 # ---- changes of the function object in a run --------------------------------------------------------
 
