@@ -5,10 +5,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demPlan.H"
+#include "checkRelaxation.H"
 #include "cyclicAMIPolyPatch.H"
 #include "demFiles.H"
 #include "demCheck.H"
 #include "demFluid.H"
+#include "demHeatExchange.H"
 #include "demOwnWake.H"
 #include "demSnapshot.H"
 #include "IOdictionary.H"
@@ -111,6 +113,30 @@ void Foam::demPlan::timeSchemeWarning(DynamicList<string>& warnings) const
             " particles exchange (3 % off where they are brought to one velocity);"
             " give Euler in system/fvSchemes"
         );
+    }
+}
+
+
+// demPimpleFoam and demInterFoam refuse this; other solvers converge by it at times
+void Foam::demPlan::relaxationWarning(DynamicList<string>& warnings) const
+{
+    DynamicList<word> names(1, "U");
+    for (const word energy : {"e", "h"})
+    {
+        if (demHeatExchange::needed(particles_) && mesh_.foundObject<volScalarField>(energy))
+        {
+            names.append(energy);
+        }
+    }
+
+    for (const word& name : names)
+    {
+        const scalar factor = lastRelaxation(mesh_, name);
+
+        if (particles_.react() && !demFluid::steady(mesh_) && factor != 1)
+        {
+            warnings.append(relaxationSentence(mesh_, name, factor));
+        }
     }
 }
 
@@ -291,6 +317,7 @@ void Foam::demPlan::warn(const demFlow& flow, struct ::dem_run_info& ahead) cons
     DynamicList<string> own;
     inletWarnings(U, own);
     timeSchemeWarning(own);
+    relaxationWarning(own);
     openPatchWarning(own);
     interfaceWarning(own);
     streamWarnings(flow, own);

@@ -58,6 +58,7 @@ Description
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkCorrectors.H"
+#include "checkRelaxation.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -156,6 +157,7 @@ int main(int argc, char *argv[])
     checkCorrectors(pimple.dict());
     checkTimeScheme(mesh, "ddt(mass)");
     checkTimeScheme(mesh, "ddt(mass,U)");
+    checkRelaxation(mesh, "U");
     #include "createTimeControls.H"
     #include "createInterFields.H"
 

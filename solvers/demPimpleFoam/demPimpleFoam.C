@@ -67,6 +67,7 @@ Description
 #include "demRun.H"
 #include "demTimeStepControl.H"
 #include "checkCorrectors.H"
+#include "checkRelaxation.H"
 #include "checkTimeScheme.H"
 #include "fixedFlux.H"
 #include "fluidBudget.H"
@@ -106,6 +107,7 @@ int main(int argc, char *argv[])
     checkCorrectors(pimple.dict());
     checkTimeScheme(mesh, "ddt(voidFraction)");
     checkTimeScheme(mesh, "ddt(voidFraction,U)");
+    checkRelaxation(mesh, "U");
     #include "createTimeControls.H"
     #include "createFields.H"
 

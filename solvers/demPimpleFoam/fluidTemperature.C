@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fluidTemperature.H"
+#include "checkRelaxation.H"
 #include "checkTimeScheme.H"
 #include "demFiles.H"
 #include "fluidBudget.H"
@@ -141,6 +142,7 @@ Foam::fluidTemperature::fluidTemperature
     )
 {
     checkTimeScheme(T_.mesh(), "ddt(voidFraction,T)");
+    checkRelaxation(T_.mesh(), T_.name());
     exchange_.setFluid(T_, kappa_, Cp_);
 }
 

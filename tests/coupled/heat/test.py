@@ -8,6 +8,7 @@
 - A sphere held in a stream cools by the law; so does a parcel of 27 such grains.
 - Parcels at rest have the temperatures of their grains; moving parcels of two ratios conserve energy.
 - Hot gas over cold gas stays at rest in a bed; a warm layer below rises.
+- Relaxation of T in the last iteration is refused.
 - Messages name what a scene needs and the case lacks.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -203,6 +204,10 @@ case.sub("system/fvSchemes", "^ddtSchemes.*", "ddtSchemes { default Euler; ddt(v
 refused("a scheme of two steps for T",
         r"ddt\(voidFraction,T\) in ddtSchemes of system/fvSchemes is backward; .* needs Euler")
 case.sub("system/fvSchemes", "backward", "Euler")
+solution = case.read("system/fvSolution")
+case.write("system/fvSolution", solution + 'relaxationFactors { equations { "T.*" 0.7; } }\n')
+refused("relaxation of T in the last iteration", "relax the last iteration of T by 0.7, .* give TFinal 1 in equations")
+case.write("system/fvSolution", solution)
 case.sub(transport, "^Cp.*", "")
 refused("no heat capacity", "add Cp to constant/transportProperties")
 case.edit(transport, Cp=0)

@@ -53,6 +53,8 @@ refused("implicit MULES", solution, [("cAlpha 1;", "cAlpha 1; MULESCorr yes;")],
 refused("no sub-cycles", solution, [("nAlphaSubCycles 1", "nAlphaSubCycles 0")], "nAlphaSubCycles is 0")
 refused("a scheme of two steps", "system/fvSchemes", [("default Euler", "default backward")],
         "demInterFoam needs Euler")
+refused("relaxation of the last iteration", solution, [(r"\Z", 'relaxationFactors { equations { "U.*" 0.9; } }\n')],
+        "relax the last iteration of U by 0.9 ... give UFinal 1 in equations")
 refused("another set of equations", scene, [("coupling {", "coupling { equations I;")], "the set II only")
 refused("a density of the fluid in the coupling", scene, [("coupling {", "coupling { rho 1000;")],
         "rho ... transportProperties")

@@ -4,6 +4,7 @@
 - One outer iteration in a step keeps momentum to 2e-8 in a liquid with added mass, with three correctors.
 - The particle fields on the mesh have the volume, momentum and energy of the particles, and the stress of the
   table of means over the box.
+- Under-relaxation of the last iteration, which would lose momentum, is refused; of the others it is not.
 - demMeans has the mean and the 95 % interval of probed samples.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -107,4 +108,24 @@ for correctors, bound in ((2, 2e-6), (3, 2e-8)):
 case.sub("system/controlDict", "U.particles Theta.particles", "U.particles Thetta")
 claim("a missing field is named",
       not case.run("demPimpleFoam") and "no field Thetta" in case.log())
+
+# ---- under-relaxation --------------------------------------------------------------------------------
+
+case = Case("relaxed")
+case.copy("shared/system/fvSolution", "system/fvSolution.shared")
+case.run("blockMesh")
+solution = case.read("system/fvSolution")
+for name in ('"U.*"', '".*"', "default", "UFinal"):
+    case.write("system/fvSolution", solution + f"relaxationFactors {{ equations {{ {name} 0.7; }} }}\n")
+    for plan in ((), ("-plan",)):
+        claim_refused(f"relaxation of {name}{''.join(plan)} is refused", case, "relax the last iteration of U by 0.7, "
+                      "which does not keep momentum and heat of fluid and particles; give UFinal 1 in equations",
+                      "demPimpleFoam", *plan)
+case.write("system/fvSolution", solution + 'relaxationFactors { equations { "U.*" 0.7; UFinal 1; } }\n')
+case.edit("system/controlDict", endTime=0.005)
+claim_runs("relaxation of all but the last iteration: runs", case)
+total = case.vectors("sum", "momentum")
+claim("relaxation of all but the last iteration: total momentum is kept",
+      len(total) > 3 and np.linalg.norm(total - total[0], axis=1).max() < 1e-6*size,
+      np.linalg.norm(total - total[0], axis=1).max()/size)
 finish()

@@ -102,7 +102,14 @@ run()
 listed("TJunction: backward, with the entry", "ddtSchemes backward does not keep the momentum .* give Euler")
 case.sub("system/fvSchemes", "backward;", "Euler;")
 run()
-claim("TJunction: Euler is not", log and "ddtSchemes" not in log)
+claim("TJunction: Euler is not", log and "ddtSchemes" not in log and "relax the last" not in log)
+solution = case.read("system/fvSolution")
+case.write("system/fvSolution", re.sub(r"(?ms)^relaxationFactors.*?^}", "", solution)
+           + 'relaxationFactors { equations { "U.*" 0.7; } }\n')
+run()
+listed("TJunction: relaxation of the last iteration, with the entry",
+       "relaxationFactors of system/fvSolution relax the last iteration of U by 0.7, .* give UFinal 1 in equations")
+case.write("system/fvSolution", solution)
 
 # ---- a long step, after which particles are outside: the cause is the step --------------------------
 
