@@ -13,9 +13,9 @@
 void Foam::demCloud::advance(const demFlow& flow)
 {
     exchange_.setDensity(flow.rho);
-    budget_.beforePassing(flow.gradP);
+    budget_.beforePassing(flow);
     volume_.passInletsOutlets(flow.U);
-    budget_.countPassed(flow.gradP);
+    budget_.countPassed(flow);
     if (heat_.valid())
     {
         heat_().countPassed();

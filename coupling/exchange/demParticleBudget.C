@@ -8,6 +8,7 @@
 #include "demCheck.H"
 #include "demColumns.H"
 #include "demFluid.H"
+#include "demRecord.H"
 
 // Impulse of the particles on all walls since the record reset it [N s]
 Foam::vector Foam::demParticleBudget::wallImpulse() const
@@ -25,6 +26,26 @@ Foam::vector Foam::demParticleBudget::wallImpulse() const
 }
 
 
+// Work of moving walls on the particles since the start of the run [J], counted by the
+// energy balance of the core
+Foam::scalar Foam::demParticleBudget::wallWork() const
+{
+    const ::dem_energy_item* item = nullptr;
+    double since;
+    int n = 0;
+
+    demCheck(dem_energy(particles_.core(), &since, &n, &item));
+    for (int k = 0; k < n; k++)
+    {
+        if (std::string(item[k].name) == "work_walls")
+        {
+            return item[k].value;
+        }
+    }
+    return 0;
+}
+
+
 Foam::demParticleBudget::demParticleBudget
 (
     demParticles& particles,
@@ -38,8 +59,9 @@ Foam::demParticleBudget::demParticleBudget
     budget_(particles.mesh().time(), particles.dict().coupling()),
     toFluid_(Zero),
     onWalls_(Zero),
-    mass_(0),
-    momentum_(Zero)
+    countsWork_(demRecord::energy(particles.dict().coupling())),
+    workOfWalls_(0),
+    before_{0, Zero, 0}
 {}
 
 
@@ -82,55 +104,75 @@ void Foam::demParticleBudget::begin(const bool volumeAveraged)
 }
 
 
-// Sums over all particles, with the impulses owed to them
-void Foam::demParticleBudget::sumParticles
-(
-    const volVectorField& gradP,
-    scalar& mass,
-    vector& momentum
-) const
+// Potential energy of the free particles in weight less buoyancy, in fluid of this density at
+// each particle. Along periods gravity has no height
+Foam::scalar Foam::demParticleBudget::height(const UList<scalar>& density) const
 {
-    mass = 0;
-    momentum = Zero;
+    const vector& g = particles_.gravity();
+    const vector upright(g - demFluid::alongPeriods(particles_.mesh(), g));
+    const scalarField V(volumes(view_));
+    scalar sum = 0;
+
+    forAll(V, i)
+    {
+        if (!isFrozen(view_, i))
+        {
+            const scalar displaced = particles_.react() ? density[i]*V[i] : 0;
+            const scalar m = *dem_at(view_.mass, view_.stride, i);
+            sum -= (m - displaced)*(upright & position(view_, i));
+        }
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+// Sums over all particles, momentum with the impulses owed to them
+Foam::demParticleBudget::sums Foam::demParticleBudget::sumParticles(const demFlow& flow) const
+{
+    struct ::dem_totals now;
+    demCheck(dem_totals(particles_.core(), &now));
+
+    sums s{0, Zero, now.kinetic + height(particles_.sample(flow.rho)())};
+
     if (particles_.react())
     {
-        momentum =
+        s.momentum =
             demMomentumBalance::owed(fluid_)
-          + exchange_.owedPressureImpulse(exchange_.pressureImpulse(gradP));
+          + exchange_.owedPressureImpulse(exchange_.pressureImpulse(flow.gradP));
     }
     vector own(Zero);
 
     for (size_t i = 0; i < view_.n; i++)
     {
         const scalar m = *dem_at(view_.mass, view_.stride, i);
-        mass += m;
+        s.mass += m;
         own += m*velocity(view_, i);
     }
-    reduce(mass, sumOp<scalar>());
+    reduce(s.mass, sumOp<scalar>());
     reduce(own, sumOp<vector>());
-    momentum += own;
+    s.momentum += own;
+    return s;
 }
 
 
-void Foam::demParticleBudget::beforePassing(const volVectorField& gradP)
+void Foam::demParticleBudget::beforePassing(const demFlow& flow)
 {
     if (budget_.on() && particles_.inletsOutlets().active())
     {
-        sumParticles(gradP, mass_, momentum_);
+        before_ = sumParticles(flow);
     }
 }
 
 
-void Foam::demParticleBudget::countPassed(const volVectorField& gradP)
+void Foam::demParticleBudget::countPassed(const demFlow& flow)
 {
     if (budget_.on() && particles_.inletsOutlets().active())
     {
-        const scalar massBefore = mass_;
-        const vector momentumBefore(momentum_);
+        const sums now(sumParticles(flow));
 
-        sumParticles(gradP, mass_, momentum_);
-        budget_.gain(demBudget::MASS, "passed", mass_ - massBefore);
-        budget_.gain("passed", momentum_ - momentumBefore);
+        budget_.gain(demBudget::MASS, "passed", now.mass - before_.mass);
+        budget_.gain("passed", now.momentum - before_.momentum);
+        budget_.gain(demBudget::ENERGY, "passed", now.energy - before_.energy);
     }
 }
 
@@ -143,18 +185,15 @@ void Foam::demParticleBudget::addParticles()
     }
 
     const vector& g = particles_.gravity();
-    // along periods gravity has no height
-    const vector upright(g - demFluid::alongPeriods(particles_.mesh(), g));
     const scalar T = particles_.window();
     const scalarField V(volumes(view_));
+    const UList<scalar> fluidDensity(fluid_.density, label(view_.n));
     vector weight(Zero);
     vector held(Zero);
-    scalar height = 0;
 
     forAll(V, i)
     {
         const scalar m = *dem_at(view_.mass, view_.stride, i);
-        const double* x = dem_at(view_.position, view_.stride, i);
         const scalar displacedMass = particles_.react() ? fluid_.density[i]*V[i] : 0;
 
         if (isFrozen(view_, i))
@@ -169,7 +208,6 @@ void Foam::demParticleBudget::addParticles()
         else
         {
             weight += T*(m - displacedMass)*g;
-            height -= (m - displacedMass)*(upright & vector(x[0], x[1], x[2]));
         }
     }
 
@@ -182,14 +220,19 @@ void Foam::demParticleBudget::addParticles()
     }
     reduce(weight, sumOp<vector>());
     reduce(held, sumOp<vector>());
-    reduce(height, sumOp<scalar>());
 
     budget_.gain("weight", weight);
     budget_.gain("held", -held);
     budget_.gain("walls", onWalls_ - wallImpulse());
+    if (countsWork_)
+    {
+        const scalar before = workOfWalls_;
+        workOfWalls_ = wallWork();
+        budget_.gain(demBudget::ENERGY, "walls", workOfWalls_ - before);
+    }
     budget_.state(demBudget::MASS, "particles", particles_.totals().mass);
     budget_.state(demBudget::ENERGY, "particles", particles_.totals().kinetic);
-    budget_.state(demBudget::ENERGY, "height", height);
+    budget_.state(demBudget::ENERGY, "height", height(fluidDensity));
 }
 
 
