@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demEnergySource.H"
+#include "demEntries.H"
 #include "basicThermo.H"
 #include "fvMatrices.H"
 #include "addToRunTimeSelectionTable.H"
@@ -38,6 +39,7 @@ bool Foam::fv::demEnergySource::read(const dictionary& dict)
     {
         return false;
     }
+    demCheckSourceEntries(dict, name_, typeName, wordList());
 
     const basicThermo* thermo = mesh_.findObject<basicThermo>(basicThermo::dictName);
 

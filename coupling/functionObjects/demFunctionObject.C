@@ -6,6 +6,7 @@
 
 #include "demFunctionObject.H"
 #include "demEnergySource.H"
+#include "demEntries.H"
 #include "demFiles.H"
 #include "demFluid.H"
 #include "demMeshCheck.H"
@@ -40,6 +41,27 @@ static bool hasFile(const fvMesh& mesh)
         }
     }
     return false;
+}
+
+
+// Own entries, and those that OpenFOAM v1912 or later reads of any function object
+static void checkEntries(const dictionary& dict)
+{
+    dictionary own(dict);
+    own.remove("FoamFile");     // of a file that #includeFunc reads
+
+    demCheckOwnEntries
+    (
+        own,
+        "functions/" + dict.dictName(),
+        wordList
+        ({
+            "type", "libs", "plan", "timeStart", "timeEnd", "enabled", "region", "log",
+            "writeControl", "writeInterval", "executeControl", "executeInterval", "errors",
+            "controlMode", "triggerStart", "triggerEnd", "deltaTCoeff", "nStepsToStartTimeChange",
+            "outputControl", "outputInterval", "functionObjectLibs", "subRegion", "useNamePrefix"
+        })
+    );
 }
 
 
@@ -246,6 +268,7 @@ bool Foam::functionObjects::demFunctionObject::read(const dictionary& dict)
 {
     if (driver_)
     {
+        checkEntries(dict);
         checkControl(dict);
 
         // As functionObjects::timeControl: an entry that is taken out stays in force

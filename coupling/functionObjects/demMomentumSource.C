@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demMomentumSource.H"
+#include "demEntries.H"
 #include "fvMatrices.H"
 #include "fvmSup.H"
 #include "addToRunTimeSelectionTable.H"
@@ -44,6 +45,7 @@ bool Foam::fv::demMomentumSource::read(const dictionary& dict)
             << "fvOptions/" << name_ << " has a selectionMode, but the fluid gets the particles' reaction"
             << " wherever particles are; take it out" << exit(FatalIOError);
     }
+    demCheckSourceEntries(dict, name_, typeName, wordList());
 
     fieldNames_ = wordList(1, "U");
     applied_.setSize(1, false);

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "demTurbulenceSource.H"
+#include "demEntries.H"
 #include "demTurbulenceProduction.H"
 #include "fvMatrices.H"
 #include "fvmSup.H"
@@ -106,6 +107,7 @@ bool Foam::fv::demTurbulenceSource::read(const dictionary& dict)
     {
         return false;
     }
+    demCheckSourceEntries(dict, name_, typeName, wordList(1, "Cepsilon"));
 
     Cepsilon_ = coeffs_.lookupOrDefault<scalar>("Cepsilon", 1.8);
 

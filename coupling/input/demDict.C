@@ -77,6 +77,17 @@ static void writeEntries(const dictionary& dict, OStringStream& os)
 } // End namespace Foam
 
 
+Foam::wordList Foam::demDict::couplingEntries()
+{
+    return
+    {
+        "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation", "kernel", "width",
+        "lawWidth", "base", "minVoidFraction", "record", "fields", "lastGood", "equations",
+        "mixtureFlux", "ownWake"
+    };
+}
+
+
 void Foam::demDict::checkCoupling() const
 {
     // of CFDEMcoupling; no entry here has its meaning
@@ -87,17 +98,7 @@ void Foam::demDict::checkCoupling() const
             << " step of the fluid, deltaT of system/controlDict" << exit(FatalIOError);
     }
 
-    demCheckEntries
-    (
-        coupling_,
-        "coupling",
-        wordList
-        ({
-            "twoWay", "rho", "nu", "walls", "diameter", "interval", "relaxation",
-            "kernel", "width", "lawWidth", "base", "minVoidFraction", "record", "fields",
-            "lastGood", "equations", "mixtureFlux", "ownWake"
-        })
-    );
+    demCheckEntries(coupling_, "coupling", couplingEntries());
 }
 
 

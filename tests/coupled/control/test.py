@@ -1,6 +1,6 @@
 """Time controls of controlDict and of the function object apply to particles as to fields: timeStart, timeEnd,
 enabled, purgeWrite, times to write that adjusted steps hit, stopping on request, -postProcess. Settings that would lose
-steps or cells are refused.
+steps or cells, and unknown entries are refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -243,4 +243,24 @@ correctFluxes ( (phi none) (nHatf none) (rhoPhi none) (alphaPhi0.water none) (gh
 refused("a mesh that is refined", "The mesh changes", "interFoam")
 case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.005;")
 refused("a mesh that is refined before timeStart", "The mesh changes", "interFoam")
+
+# ---- entries that would do nothing ------------------------------------------------------------------
+
+case = prepare("pimpleFoam", many + "coupling { rho 1000; }", "entries")
+good = case.read(control)
+for entries, sentence in (
+        ("timeSart 0.1;", 'functions/particles: unknown entry "timeSart"; did you mean timeStart?'),
+        ("twoWay no;", 'functions/particles: unknown entry "twoWay"; it belongs to coupling of constant')):
+    case.sub(control, "type *demCloud;", rf"\g<0> {entries}")
+    refused(f"{entries} of the function object", sentence, "pimpleFoam")
+    case.write(control, good)
+for entries, name in (("fields (U);", "fields"), ("timeStart 0.1; duration 1;", "timeStart"), ("actve no;", "actve")):
+    case.dictionary("constant/fvOptions", f'source {{ type demMomentumSource; libs ("libdemCoupling.so"); {entries} }}')
+    refused(f"{entries} of the momentum source", f'fvOptions/source: unknown entry "{name}"', "pimpleFoam")
+case.dictionary("constant/fvOptions", "source { type demMomentumSource; libs (\"libdemCoupling.so\"); active yes;"
+                " log yes; selectionMode all; }")
+case.sub(control, "type *demCloud;", r"\g<0> enabled yes; region region0; log yes; writeInterval 1; "
+         "executeControl timeStep; executeInterval 1;")
+case.edit(control, endTime=0.002)
+claim_runs("entries of any function object and source: runs", case, "pimpleFoam")
 finish()
