@@ -156,6 +156,21 @@ bool Foam::functionObjects::demFunctionObject::takeOver()
 }
 
 
+void Foam::functionObjects::demFunctionObject::refuseOtherRegion() const
+{
+    for (const word& other : time_.sortedNames<fvMesh>())
+    {
+        if (time_.lookupObject<fvMesh>(other).foundObject<demDriver>(demDriver::typeName))
+        {
+            FatalErrorInFunction
+                << "functions/" << name() << " adds particles to region " << region_
+                << ", but region " << other << " has some already, and their files have the same"
+                << " names; a run has particles in one region" << exit(FatalError);
+        }
+    }
+}
+
+
 Foam::functionObjects::demFunctionObject::demFunctionObject
 (
     const word& name,
@@ -194,6 +209,7 @@ Foam::functionObjects::demFunctionObject::demFunctionObject
                 << "This solver or another function object has particles already;"
                 << " take out " << name << exit(FatalError);
         }
+        refuseOtherRegion();
         driver_.reset(new demDriver(mesh_));
     }
     driver_().begin(*this);

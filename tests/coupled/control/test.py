@@ -1,6 +1,6 @@
 """Time controls of controlDict and of the function object apply to particles as to fields: timeStart, timeEnd,
 enabled, purgeWrite, times to write that adjusted steps hit, stopping on request, -postProcess. Settings that would lose
-steps or cells, and unknown entries are refused.
+steps or cells, unknown entries and particles in two regions are refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -244,7 +244,7 @@ refused("a mesh that is refined", "The mesh changes", "interFoam")
 case.sub(control, "type *demCloud;", r"\g<0> timeStart 0.005;")
 refused("a mesh that is refined before timeStart", "The mesh changes", "interFoam")
 
-# ---- entries that would do nothing ------------------------------------------------------------------
+# ---- entries that would do nothing, particles in two regions ------------------------------------------
 
 case = prepare("pimpleFoam", many + "coupling { rho 1000; }", "entries")
 good = case.read(control)
@@ -263,4 +263,18 @@ case.sub(control, "type *demCloud;", r"\g<0> enabled yes; region region0; log ye
          "executeControl timeStep; executeInterval 1;")
 case.edit(control, endTime=0.002)
 claim_runs("entries of any function object and source: runs", case, "pimpleFoam")
+
+case = prepare("buoyantPimpleFoam", many, "regions")
+for folder, names in (("0", ("U", "p", "p_rgh", "T")), ("system", ("fvSchemes", "fvSolution")),
+                      ("constant", ("polyMesh", "thermophysicalProperties", "turbulenceProperties", "g"))):
+    for name in names:
+        for region in ("gas", "air"):
+            case.copy(case/folder/name, f"{folder}/{region}/{name}")
+for region in ("gas", "air"):
+    case.dictionary(f"constant/{region}/radiationProperties", "radiation off; radiationModel none;")
+case.dictionary("constant/regionProperties", "regions (fluid (gas air) solid ());")
+case.sub(control, r"^functions[\s\S]*", "functions { a { type demCloud; libs (\"libdemCoupling.so\"); region gas; } "
+         "b { type demCloud; libs (\"libdemCoupling.so\"); region air; } }\n")
+refused("a second region with particles", "functions/b adds particles to region air, but region gas has some already",
+        "chtMultiRegionFoam")
 finish()
