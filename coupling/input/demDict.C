@@ -17,6 +17,9 @@
 #include "Time.H"
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <regex>
 
 namespace Foam
 {
@@ -171,6 +174,42 @@ void Foam::demDict::dropGroups(const bool streams)
 }
 
 
+// Numbers for macros, which OpenFOAM has put in: the core does not know their names
+void Foam::demDict::dropVariables()
+{
+    DynamicList<word> entries;
+    wordList macros;
+
+    for (const entry& e : dict_)
+    {
+        if (!e.isDict())
+        {
+            entries.append(e.keyword());
+        }
+    }
+    if (entries.size() && Pstream::master())
+    {
+        std::ifstream stream(file());
+        const std::string text(std::istreambuf_iterator<char>(stream), {});
+        const std::regex macro("\\$[{:!]*([A-Za-z_][A-Za-z0-9_]*)");
+
+        for (std::sregex_iterator at(text.begin(), text.end(), macro), end; at != end; ++at)
+        {
+            macros.append(word((*at)[1].str()));
+        }
+    }
+    demBroadcast(macros);
+
+    for (const word& name : entries)
+    {
+        if (macros.found(name))
+        {
+            dict_.remove(name);
+        }
+    }
+}
+
+
 void Foam::demDict::readStart(const bool settle)
 {
     if (!dict_.found("start"))
@@ -213,7 +252,15 @@ void Foam::demDict::resolveGravity()
         return;
     }
 
-    const vector g = uniformDimensionedVectorField(io).value();
+    const uniformDimensionedVectorField given(io);
+    const vector g = given.value();
+
+    if (given.dimensions() != dimAcceleration)
+    {
+        FatalErrorInFunction
+            << "constant/g has dimensions " << given.dimensions() << "; give "
+            << dimAcceleration << exit(FatalError);
+    }
 
     if (inScene && mag(g - gravity_) > 1e-9*mag(g))
     {
@@ -279,6 +326,7 @@ Foam::demDict::demDict(const polyMesh& mesh, const bool settle)
     dict_.remove("coupling");
     dict_.remove("FoamFile");
 
+    dropVariables();
     dropControlDictEntries(settle);
 
     if (dict_.found("fluid"))

@@ -4,6 +4,7 @@
 - A snapshot made in a smooth cylinder is refused; a scene that is newer than its snapshot is warned of.
 - demPimpleFoam -settle makes a snapshot within the walls of the mesh, with the same bits on two ranks; the coupled run
   starts from it at rest, or frozen.
+- Numbers of demProperties that macros use are no entries of the scene; gravity has its dimensions.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -209,4 +210,18 @@ claim("-settle in open patches: all particles rest in the mesh", opened.found("a
 case.write(scene, settle)
 case.sub(scene, "^insert.*", "insert { feed { type stream; rate 1; diameter 1e-3; patch top; } }")
 refuses("nothing to settle: fails with a sentence", "no particles to settle", "-settle")
+
+# ---- numbers for macros, and gravity ------------------------------------------------------------------
+
+numbers = Case("numbers", "hydrostatic")
+numbers.run("blockMesh")
+numbers.sub(scene, "density 1000;", "density $rhop;")
+numbers.sub(scene, "^materials", "rhop 1000;\nmaterials")
+claim_runs("a number for a macro", numbers, "demPimpleFoam", "-plan")
+numbers.sub(scene, r"\$rhop", "1000")
+claim_refused("a number that nothing uses", numbers, 'unknown entry "rhop"', "demPimpleFoam", "-plan")
+numbers.sub(scene, "^rhop.*", "")
+numbers.dictionary("constant/g", "dimensions [0 1 -1 0 0 0 0]; value (0 0 -9.81);", "uniformDimensionedVectorField")
+claim_refused("gravity in m/s", numbers, "constant/g has dimensions [0 1 -1 0 0 0 0]; give [0 1 -2 0 0 0 0]",
+              "demPimpleFoam", "-plan")
 finish()
