@@ -23,13 +23,20 @@ Foam::labelList Foam::demInletsOutlets::patches
 
     forAllConstIters(groups, iter)
     {
-        word name;
-        if (!iter().isDict() || !iter().dict().readIfPresent("patch", name))
+        if (!iter().isDict() || !iter().dict().found("patch"))
         {
             continue;
         }
 
         const dictionary& group = iter().dict();
+        ITstream& given = group.lookup("patch");
+        if (given.size() != 1)
+        {
+            FatalIOErrorInFunction(group)
+                << groups.dictName() << "/" << iter().keyword() << ": patch needs one name;"
+                << " make an entry for each patch" << exit(FatalIOError);
+        }
+        const word name(given);
         const label patchi = mesh_.boundaryMesh().findPatchID(name);
         if (patchi < 0)
         {

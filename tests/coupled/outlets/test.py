@@ -93,4 +93,7 @@ claim("ledge: no bead is lost", not (case/lost).exists())
 alone = case.read(flows)
 on_two_ranks(case)
 claim("ledge: the same on two ranks", case.read(flows) == alone)
+case.sub("constant/demProperties", "patch outlet;", "patch (outlet inlet);")
+claim_refused("an outlet with two patches", case, "outlets/out: patch needs one name; make an entry for each patch",
+              "demPimpleFoam")
 finish()
