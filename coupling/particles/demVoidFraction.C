@@ -138,8 +138,12 @@ void Foam::demVoidFraction::deposit()
     voidFraction_.primitiveFieldRef() = 1 - solid.field();
     voidFraction_.correctBoundaryConditions();
 
+    changeRate_ = 0;
     if (particles_.twoWay())
     {
+        changeRate_ =
+            gMax(mag(old - voidFraction_.primitiveField())())/mesh_.time().deltaTValue();
+
         // From the void fractions, so that it agrees with their ddt. In a moving mesh
         // with the cell's volumes before and after, divided by the new one
         if (mesh_.moving())
@@ -153,7 +157,6 @@ void Foam::demVoidFraction::deposit()
     {
         depositFlux(V);
     }
-    changeRate_ = max(gMax(dsdt_.primitiveField()), -gMin(dsdt_.primitiveField()));
     volumeError_ =
         mag(gSum((mesh_.V().field()*solid.field())()) - deposited_)/(deposited_ + VSMALL);
     demSelfCheck::volume(volumeError_);
