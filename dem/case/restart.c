@@ -313,12 +313,13 @@ int dem_sim_compare_scene(struct dem_case *c)
     DEM_TRY(dem_snapshot_read_scene(c->load_path, &d->state.decomposition, &d->before));
     if (c->new_run)
     {
+        DEM_TRY(dem_cell_start(d, c->load_path));
         d->before.text[0] = '\0';    /* of another run: nothing of this one is inserted yet */
         return dem_stages_start(d, 0);
     }
     DEM_TRY(check_periodic(c));
     DEM_TRY(compare(c));
-    dem_cell_resume(d, d->before.text);
+    DEM_TRY(dem_cell_resume(d, c->load_path));
     DEM_TRY(dem_stages_start(d, 1));
     DEM_TRY(dem_sim_resume_walls(c));
     return keep_new_groups(c);

@@ -4,12 +4,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "case/scene_cell.h"
-#include "case/simulation.h"
+#include "case/restart.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "ranks/collect.h"
 #include "step/cell_motion.h"
 #include <math.h>
+#include <string.h>
 
 enum
 {
@@ -160,21 +161,144 @@ void dem_cell_describe(const struct dem *d, struct dem_text *t)
     }
 }
 
-void dem_cell_resume(struct dem *d, const char *text)
+/* the cell of a snapshot: m, 1/s, Pa, m, 1 */
+struct saved
+{
+    double length[3], rate[3], integral[3], offset, strain;
+};
+
+/* 0: it has none. */
+static int read_saved(struct saved *s, const char *text)
+{
+    const char *const words = dem_text_marked(&text, mark);
+    double x[11];
+
+    if (!words || dem_text_numbers(words, x, 11) != 11)
+    {
+        return 0;
+    }
+    for (int k = 0; k < 3; k++)
+    {
+        s->length[k] = x[3*k];
+        s->rate[k] = x[3*k + 1];
+        s->integral[k] = x[3*k + 2];
+    }
+    s->offset = x[9];
+    s->strain = x[10];
+    return 1;
+}
+
+static const struct dem_cell_axis at_rest = {.deforms = 1, .start = -INFINITY, .end = INFINITY};
+
+/* Set lengths and offset. What differs from the scene without an entry of its own gets the rate 0; 1: all of
+   the cell is such. */
+static int take(struct dem_state *state, const struct saved *s)
+{
+    struct dem_cell *const c = &state->cell;
+    struct dem_domain *const d = &state->domain;
+    const int given = c->active;
+
+    for (int k = 0; k < 3; k++)
+    {
+        if (!c->axis[k].deforms)
+        {
+            const int kept = d->periodic[k] && fabs(s->length[k] - d->length[k]) > ROOM*d->unit[k];
+
+            c->axis[k] = kept ? at_rest : c->axis[k];
+            c->active |= kept;
+            give_room(c, d, k);
+        }
+    }
+    if (s->offset != 0.0 && !c->shear.deforms)
+    {
+        c->shear = at_rest;
+        c->active = 1;
+    }
+    if (c->active)
+    {
+        dem_cell_set_lengths(state, s->length, s->offset);
+    }
+    return c->active && !given;
+}
+
+/* A cell that the scene does not have is refused as one that it has. */
+static int refuse_taken(const struct dem *d, const char *path)
+{
+    const double *const length = d->state.domain.length;
+
+    return dem_error_prefix(dem_cell_refuse(d), "%s: its cell has deformed to lengths of %.9g, %.9g and %.9g m (0: "
+                            "not periodic), which stay as with domain/cell { xx { rate 0; } }; for a domain that is fixed "
+                            "give it these lengths in a new run with start { snapshot; }: ", path, length[0], length[1], length[2]);
+}
+
+int dem_cell_resume(struct dem *d, const char *path)
 {
     struct dem_cell *const c = &d->state.cell;
-    const char *const words = dem_text_marked(&text, mark);
-    double x[11], length[3];
+    struct saved s;
 
-    if (c->active && words && dem_text_numbers(words, x, 11) == 11)
+    if (!read_saved(&s, d->before.text))
     {
-        for (int k = 0; k < 3; k++)
-        {
-            length[k] = x[3*k];
-            c->rate[k] = x[3*k + 1];
-            c->integral[k] = x[3*k + 2];
-        }
-        c->strain = x[10];
-        dem_cell_set_lengths(&d->state, length, x[9]);
+        return DEM_OK;
     }
+    memcpy(c->rate, s.rate, sizeof s.rate);
+    memcpy(c->integral, s.integral, sizeof s.integral);
+    c->strain = s.strain;
+    return take(&d->state, &s) ? refuse_taken(d, path) : DEM_OK;
+}
+
+enum cell_fit
+{
+    FIT_NOW,      /* the domain has the lengths of the snapshot */
+    FIT_SCENE,    /* or of the scene that made it, before the cell deformed */
+    FIT_NONE
+};
+
+/* The worst axis; *length becomes what the cell gets. */
+static enum cell_fit fit(const struct dem *d, double length[3])
+{
+    static const double same = 1e-6;
+    const struct dem_domain *const box = &d->state.domain;
+    const struct dem_cell *const c = &d->state.cell;
+    enum cell_fit worst = FIT_NOW;
+
+    for (int k = 0; k < 3; k++)
+    {
+        const double *const was = d->before.tail.domain[k], max = c->active ? c->first_max[k] : box->max[k];
+        const int apart = box->periodic[k] && was[0] != 0.0 && fabs(box->length[k] - length[k]) > same*length[k];
+        const enum cell_fit here = !apart ? FIT_NOW : was[1] == box->min[k] && was[2] == max ? FIT_SCENE : FIT_NONE;
+
+        length[k] = apart ? length[k] : box->length[k];
+        worst = here > worst ? here : worst;
+    }
+    return worst;
+}
+
+int dem_cell_start(struct dem *d, const char *path)
+{
+    const struct dem_domain *const box = &d->state.domain;
+    const double *const now = box->length;
+    struct saved s;
+
+    if (!read_saved(&s, d->before.text))
+    {
+        return DEM_OK;
+    }
+    const struct saved was = s;
+    const enum cell_fit as = fit(d, s.length);
+
+    if (as == FIT_NONE)
+    {
+        return dem_sim_note(d, "start: the cell of %s has lengths of %.9g, %.9g and %.9g m, this domain of %.9g, %.9g "
+                            "and %.9g m (0: not periodic), so contacts across its faces are lost; give one of the two "
+                            "the other's lengths", path, was.length[0], was.length[1], was.length[2], now[0], now[1],
+                            now[2]);
+    }
+    s.offset = box->periodic[0] && box->periodic[1] ? box->unit[0]*rint(s.offset/box->unit[0]) : 0.0;
+    if (as == FIT_NOW && !d->state.cell.active && s.offset != 0.0)
+    {
+        return dem_sim_note(d, "start: images across y of the cell of %s are displaced by %.9g m, in this domain by 0, "
+                            "so contacts across these faces are lost; keep it by domain/cell { xy { rate 0; } }",
+                            path, s.offset);
+    }
+    return take(&d->state, &s) ? refuse_taken(d, path) : DEM_OK;
 }

@@ -22,6 +22,9 @@ int dem_cell_refuse(const struct dem *);
 /* Collective. Once particles are there: none is frozen or driven. */
 int dem_cell_refuse_fixed(const struct dem_state *);
 
-/* A line with @ of the text of the scene in a snapshot, and the state that it holds. */
+/* A line with @ of the text of the scene in a snapshot, and the state that it holds. Axes that have deformed keep
+   their length at a restart, also without an entry. A new run takes lengths and offset where its domain is the
+   one of the snapshot's scene. */
 void dem_cell_describe(const struct dem *, struct dem_text *);
-void dem_cell_resume(struct dem *, const char *text);
+int dem_cell_resume(struct dem *, const char *path);
+int dem_cell_start(struct dem *, const char *path);

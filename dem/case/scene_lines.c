@@ -134,6 +134,8 @@ static const char not_again[] =
 static const char anew[] =
     "the wall begins anew where the scene puts it, without the history of its contacts";
 
+static const char keeps_length[] = "the cell keeps its length and offset, as with rate 0";
+
 static const char comes[] = "the group comes at its time `at`";
 
 /* entries that give a wall its form and place */
@@ -202,6 +204,15 @@ int dem_scene_line_is_stream(const struct dem_scene_lines *all, const struct dem
     return find_of_group(all, l, "at") || (type && type->size == 6 && memcmp(type->value, "stream", 6) == 0);
 }
 
+/* domain/cell or an axis of it */
+static int is_of_cell(const struct dem_scene_line *l)
+{
+    char part[64];
+
+    return strcmp(dem_scene_line_part(l, 0, part), "domain") == 0 && strcmp(dem_scene_line_part(l, 1, part), "cell") == 0
+        && !dem_scene_line_part(l, 3, part)[0] && (!dem_scene_line_part(l, 2, part)[0] || strlen(part) == 2);
+}
+
 const char *dem_scene_line_becomes(const struct dem_scene_lines *all, const struct dem_scene_line *l, enum dem_line_change change)
 {
     char section[64], entry[64];
@@ -212,6 +223,10 @@ const char *dem_scene_line_becomes(const struct dem_scene_lines *all, const stru
     if (strcmp(section, "walls") == 0 && dem_scene_line_is_form(entry))
     {
         return anew;
+    }
+    if (change == DEM_LINE_GONE && is_of_cell(l))
+    {
+        return keeps_length;
     }
     if (strcmp(section, "insert") == 0 && entry[0] && !dem_scene_line_is_stream(all, l))
     {

@@ -21,7 +21,7 @@ enum
               "impactSpeed 0.01; } dry { restitution 0.4; } mindlin { friction 0.3; } } "
 
 static const double diameter = 1e-3, pressure = 100.0;
-static char file[] = "/tmp/cell.XXXXXX";
+static char file[] = "/tmp/cell.XXXXXX", between[] = "/tmp/cell.XXXXXX";
 
 /* ---- flow ------------------------------------------------------------------------------------ */
 
@@ -293,6 +293,125 @@ static void test_bits(const char *what, const char *scene)
     TAP_OK(three == one, "%s: and after a restart in the middle: %016llx", what, (unsigned long long)three);
 }
 
+/* ---- a cell goes on in another scene ---------------------------------------------------------- */
+
+#define BED(cell) \
+    GLASS "time { step 2.5e-6; } domain { x (0 0.006); y (0 0.006); z (0 0.006); periodic (x y z); " cell " } insert { a " \
+    "{ type random; count 130; diameter 1e-3; min (0 0 0); max (0.006 0.006 0.006); velocity (0.3 -0.2 0.1); } } "
+
+static struct dem *load(const char *scene, const char *path)
+{
+    struct dem_case *const c = world_begin(scene);
+
+    WORLD_TRY(dem_case_load(c, path));
+    return world_start(c);
+}
+
+/* go on from the file; `again`: with a restart in between */
+static struct dem *go_on(const char *scene, int again)
+{
+    struct dem *d = load(scene, file);
+
+    world_run(d, 5e-4);
+    if (again)
+    {
+        WORLD_TRY(dem_save(d, between));
+        dem_free(d);
+        d = load(scene, between);
+    }
+    world_run(d, 5e-4);
+    return d;
+}
+
+static int same_run(const char *scene, const char *like, int again)
+{
+    struct dem *const one = go_on(scene, again), *const two = go_on(like, 0);
+    const int same = world_hash(one) == world_hash(two);
+
+    dem_free(one);
+    dem_free(two);
+    return same;
+}
+
+static double length_of(struct dem *d)
+{
+    struct dem_cell_now c = {.solid = 0.0};
+
+    WORLD_TRY(dem_has_cell(d) ? dem_cell(d, &c) : DEM_OK);
+    return c.length[0];
+}
+
+static void compress(struct dem_cell_now *c)
+{
+    struct dem *const d = world(BED("cell { xx { rate -20; } zz { rate -1; } xy { rate 30; } }"), 0, NULL);
+
+    world_run(d, 0.004);
+    WORLD_TRY(dem_save(d, file));
+    WORLD_TRY(dem_cell(d, c));
+    dem_free(d);
+}
+
+static void test_taken_out(void)
+{
+    struct dem_cell_now was;
+
+    compress(&was);
+    TAP_OK(same_run(BED("cell { zz { rate -1; } }"), BED("cell { xx { rate 0; } zz { rate -1; } xy { rate 0; } }"), 0),
+           "without its entry at a restart an axis keeps its length, and shear its offset, as at the rate 0");
+    TAP_OK(same_run(BED(""), BED("cell { xx { rate 0; } zz { rate 0; } xy { rate 0; } }"), 0),
+           "and without the whole entry cell");
+    struct dem_case *c = world_begin(BED("") "effects { gravity { acceleration (0 0 -9.81); } }");
+
+    WORLD_TRY(dem_case_load(c, file));
+    TAP_OK(world_status(c) == DEM_ERROR_INPUT && strstr(dem_error_text(), "lengths of 0.005538")
+               && strstr(dem_error_text(), "effects/gravity"),
+           "what does not go with a cell is refused: %s", dem_error_text());
+    TAP_OK(same_run(BED(""), BED(""), 1), "the same bits with another restart in between");
+}
+
+static struct dem *start_from(const char *domain)
+{
+    struct dem *const d = world(world_text(GLASS "time { step 2.5e-6; } domain { %s periodic (x y z); } start { snapshot "
+                                           "\"%s\"; } ", domain, file), 0, NULL);
+
+    world_run(d, 1e-4);
+    return d;
+}
+
+static int warns(struct dem *d, const char *words)
+{
+    const struct dem_run_info ahead = {.duration = 1e-3};
+    const char *text;
+
+    WORLD_TRY(dem_warnings(d, &ahead, 0, NULL, &text));
+    return strstr(text, words) != NULL;
+}
+
+static void test_new_run(void)
+{
+    static const char *const box = "x (0 0.006); y (0 0.006); z (0 0.006);";
+
+    struct dem_cell_now was;
+
+    compress(&was);
+    struct dem *d = start_from(world_text("%s cell { yy { rate 0; } }", box));
+
+    TAP_OK(fabs(length_of(d)/was.length[0] - 1.0) < 1e-6 && !warns(d, "start: "),
+           "a new run from the snapshot takes the lengths of its cell: %.9g m", length_of(d));
+    dem_free(d);
+    d = start_from(box);
+    TAP_OK(fabs(length_of(d)/was.length[0] - 1.0) < 1e-6 && !warns(d, "start: "), "also without the entry cell: %.9g m",
+           length_of(d));
+    dem_free(d);
+    d = start_from("x (0 0.012); y (0 0.006); z (0 0.006); cell { xx { rate 0; } }");
+    TAP_OK(fabs(length_of(d)/0.012 - 1.0) < 1e-6 && warns(d, "has lengths of 0.005538") && warns(d, "of 0.012, 0.006 and"),
+           "a domain of other lengths keeps them, with a warning: %.9g m", length_of(d));
+    dem_free(d);
+    d = start_from(world_text("x (0 %.9g); y (0 0.006); z (0 %.9g);", was.length[0], was.length[2]));
+    TAP_OK(!dem_has_cell(d) && warns(d, "displaced by"), "a domain of these lengths is fixed; the offset is told");
+    dem_free(d);
+}
+
 /* ---- refusals -------------------------------------------------------------------------------- */
 
 static void test_refusals(void)
@@ -325,6 +444,7 @@ static void test_refusals(void)
 int main(void)
 {
     world_make_file(file);
+    world_make_file(between);
     test_flow();
     test_strength();
     test_shear_strength();
@@ -332,7 +452,10 @@ int main(void)
     test_copies();
     test_bits("two stresses", gas);
     test_bits("shear", sheared);
+    test_taken_out();
+    test_new_run();
     test_refusals();
     unlink(file);
+    unlink(between);
     TAP_DONE;
 }
