@@ -27,19 +27,25 @@ const struct dem_residence *dem_residence_of(const struct dem_flows *f, int flow
     return f->residence && end_of(f, flow) > 0.0 ? &f->residence[flow] : NULL;
 }
 
-/* n sum squares b0 b1 ...; below 2^53 all are exact as doubles */
+enum
+{
+    HEAD = 4
+};
+
+/* end n sum squares b0 b1 ...; below 2^53 all are exact as doubles. With another end all begin anew, since bins of
+   two widths have no sum. */
 static void resume(struct dem_residence *r, const char *words)
 {
-    double x[3 + DEM_RESIDENCE_BINS];
+    double x[HEAD + DEM_RESIDENCE_BINS];
 
-    if (dem_text_numbers(words, x, 3 + DEM_RESIDENCE_BINS) == 3 + DEM_RESIDENCE_BINS)
+    if (dem_text_numbers(words, x, HEAD + DEM_RESIDENCE_BINS) == HEAD + DEM_RESIDENCE_BINS && x[0] == r->end)
     {
-        r->particles = (int64_t)x[0];
-        r->sum = x[1];
-        r->squares = x[2];
+        r->particles = (int64_t)x[1];
+        r->sum = x[2];
+        r->squares = x[3];
         for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
         {
-            r->bin[b] = (int64_t)x[3 + b];
+            r->bin[b] = (int64_t)x[HEAD + b];
         }
     }
 }
@@ -126,7 +132,7 @@ void dem_residence_describe(const struct dem_flows *f, struct dem_text *t)
 
         if (r)
         {
-            dem_text_add(t, "%s%s %lld %a %a", mark, f->flow[k].name, (long long)r->particles, r->sum,
+            dem_text_add(t, "%s%s %a %lld %a %a", mark, f->flow[k].name, r->end, (long long)r->particles, r->sum,
                          r->squares);
             for (int b = 0; b < DEM_RESIDENCE_BINS; b++)
             {

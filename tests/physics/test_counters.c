@@ -98,6 +98,18 @@ static void test_residence(void)
     TAP_OK(r && r->bin[31] + r->bin[32] == r->particles, "and they are in the bins around it");
     TAP_OK(!dem_residence(d, 2) && !dem_residence(d, 0), "an outlet without the entry has none");
     dem_free(d);
+    struct dem_case *const c = world_begin(scene);
+
+    WORLD_TRY(dem_case_set(c, "outlets/out/residence", "0.4"));
+    WORLD_TRY(dem_case_load(c, file));
+    d = world_start(c);
+    world_run(d, 0.2);
+    const struct dem_residence *const twice = dem_residence(d, 1);
+
+    TAP_OK(twice->bin[15] + twice->bin[16] == twice->particles && twice->particles > 300,
+           "with another end at a restart they are counted anew, in bins of one width: %lld of %lld",
+           (long long)(twice->bin[15] + twice->bin[16]), (long long)twice->particles);
+    dem_free(d);
 }
 
 int main(void)

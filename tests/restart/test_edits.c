@@ -435,7 +435,7 @@ static void entries(void)
         {"effects/dry/restitution", "0.9"}, {"effects/gravity/acceleration", "(1 0 -9.81)"},
         {"materials/steel/youngsModulus", "2e7"}, {"materials/clay", "{ density 1500; youngsModulus 1e6; }"},
         {"domain", "{ z (-1 1); leaving remove; }"}, {"time/maxOverlap", "0.3"},
-        {"outlets/hole", "{ min (0 0 -1); max (1 1 -0.5); }"},
+        {"outlets/gap/residence", "2"}, {"outlets/hole", "{ min (0 0 -1); max (1 1 -0.5); }"},
         {"insert/s", "{ type stream; material glass; rate 10; diameter 1e-3; min (0 0 0.03); max (0.01 0.01 0.035); }"},
         {"fluid", "{ density 1; viscosity 1e-5; }"},
         {"averages/grid", "{ min (0 0 0); max (1 1 1); interval 1e-3; }"}};
@@ -444,25 +444,27 @@ static void entries(void)
         "effects/gravity/acceleration was (0 0 -9.81), now (1 0 -9.81): it applies",
         "materials/steel/youngsModulus was 1e7, now 2e7: it applies", "materials/clay is new",
         "domain/leaving remove is new", "time/maxOverlap 0.3 is new", "outlets/hole is new",
+        "outlets/gap/residence was 1, now 2: its residence times are counted anew",
         "insert/s is new: the stream begins now", "fluid/density 1 is new",
         "averages/grid is new: the means of this grid begin now"};
     static const char *const same[][2] = {
         {"effects/dry/restitution", "4e-1"}, {"effects/gravity/acceleration", "( 0.0 0 -9.810 )"},
         {"time/end", "5"}, {"write/interval", "1"}};
     static const char *const periodic[][2] = {{"domain", "{ x (0 0.01); periodic (x); }"}};
-    struct dem *d = start(base);
+    const char *const holed = world_text("%s outlets { gap { min (0 0 -1); max (1 1 -0.9); residence 1; } }", base);
+    struct dem *d = start(holed);
     int all = 1;
 
     WORLD_TRY(dem_save(d, file));
     dem_free(d);
-    d = resume(base, 10, set);
-    for (int k = 0; k < 10; k++)
+    d = resume(holed, 11, set);
+    for (int k = 0; k < 11; k++)
     {
         all &= says(d, told[k]);
     }
     TAP_OK(all, "each changed entry has its sentence");
     dem_free(d);
-    struct dem_case *c = world_begin(base);
+    struct dem_case *c = world_begin(holed);
     for (int k = 0; k < 4; k++)
     {
         WORLD_TRY(dem_case_set(c, same[k][0], same[k][1]));
@@ -473,7 +475,7 @@ static void entries(void)
     d = world_start(c);
     TAP_OK(lines_of_restart(d) == 0, "the same numbers in other words, the end and the output: none");
     dem_free(d);
-    TAP_OK(load(&d, base, 1, periodic) != 0 && strstr(dem_error_text(), "not periodic along x"),
+    TAP_OK(load(&d, holed, 1, periodic) != 0 && strstr(dem_error_text(), "not periodic along x"),
            "other periodic axes are refused: %s", dem_error_text());
     dem_free(d);
 }
