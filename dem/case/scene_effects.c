@@ -183,6 +183,48 @@ static int read_pair(void *table, const struct dem_dict *dict)
     return DEM_OK;
 }
 
+static int has_effect(const struct dem_dict *pair, const struct dem_effect *e)
+{
+    return dem_dict_has(pair, e->name) || (e->short_name && dem_dict_has(pair, e->short_name));
+}
+
+/* Entries of `pairs` for the same two materials set different effects. */
+static int refuse_both(const struct dem_interaction_table *r, const struct dem_dict *one, const struct dem_dict *two)
+{
+    const char *const *a, *const *b;
+    size_t n;
+
+    DEM_TRY(dem_dict_words(one, "between", &a, &n));
+    DEM_TRY(dem_dict_words(two, "between", &b, &n));
+    const int turned = strcmp(a[0], b[0]) != 0;
+    const int same = strcmp(a[0], b[turned]) == 0 && strcmp(a[1], b[!turned]) == 0;
+
+    for (int k = 0; same && k < r->chosen; k++)
+    {
+        const struct dem_effect *const e = r->effect[k];
+
+        DEM_REQUIRE(!has_effect(one, e) || !has_effect(two, e), DEM_ERROR_INPUT,
+                    "%s: %s and %s both set %s between %s and %s; keep one of the two", dem_dict_where(two),
+                    dem_dict_path(one), dem_dict_path(two), e->name, a[0], a[1]);
+    }
+    return DEM_OK;
+}
+
+static int refuse_twice(const struct dem_interaction_table *r, const struct dem_dict *scene)
+{
+    const struct dem_dict *pairs;
+
+    DEM_TRY(dem_dict_sub_if(scene, "pairs", &pairs));
+    for (size_t two = 1; pairs && two < dem_dict_count(pairs); two++)
+    {
+        for (size_t one = 0; one < two; one++)
+        {
+            DEM_TRY(refuse_both(r, dem_entry_dict(dem_dict_entry(pairs, one)), dem_entry_dict(dem_dict_entry(pairs, two))));
+        }
+    }
+    return DEM_OK;
+}
+
 /* ---- interface ------------------------------------------------------------------------------- */
 
 int dem_scene_read_materials(const struct dem_dict *scene, struct dem_interaction_table *r)
@@ -197,5 +239,6 @@ int dem_scene_read_materials(const struct dem_dict *scene, struct dem_interactio
 int dem_scene_read_interactions(const struct dem_dict *scene, struct dem_interaction_table *r)
 {
     DEM_TRY(dem_dict_each(scene, "effects", read_effect, r));
-    return dem_dict_each(scene, "pairs", read_pair, r);
+    DEM_TRY(dem_dict_each(scene, "pairs", read_pair, r));
+    return refuse_twice(r, scene);
 }
