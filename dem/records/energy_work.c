@@ -65,7 +65,6 @@ void dem_energy_balance_after_drift(struct dem_state *state, double dt)
 {
     gravity_work(state, dt);
     driven_work(state, 0.5*dt, dt);
-    dem_cell_add_work(state, 0.5*dt);
 }
 
 void dem_energy_balance_after_sweep(struct dem_state *state, double dt)

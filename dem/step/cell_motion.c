@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/vec.h"
 #include "ranks/dem_state.h"
+#include "records/cell_stress.h"
 #include "records/energy_balance.h"
 #include <math.h>
 #include <string.h>
@@ -192,6 +193,11 @@ double dem_cell_drift(struct dem_state *state, double dt)
     if (c.sheared)
     {
         begin_shear(state, dt, &c);
+    }
+    /* before the particles move: ghosts do not move with them */
+    if (state->energy_balance->open)
+    {
+        dem_cell_add_work(state, 0.5*dt);
     }
     for (size_t i = 0; i < state->particles.n; i++)
     {
