@@ -12,6 +12,7 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "input/dictionary.h"
+#include "laws/effects.h"
 #include "records/wall_wear.h"
 #include "sources/residence.h"
 #include <stdio.h>
@@ -157,13 +158,31 @@ static int is_left_out(const struct comparison *c, const struct dem_scene_line *
         && !dem_scene_line_is_stream(&c->now, l);
 }
 
+/* An effect that is gone has particle scalars that no effect of the scene has. */
+static int loses_scalars(const struct dem_interaction_table *r, const struct dem_scene_line *l)
+{
+    char section[64], name[64], part[64];
+    const int whole = strcmp(dem_scene_line_part(l, 0, section), "effects") == 0 && !dem_scene_line_part(l, 2, part)[0];
+    const struct dem_effect *const gone = whole ? dem_effects_find(dem_scene_line_part(l, 1, name)) : NULL;
+    int loses = 0;
+
+    for (const struct dem_scalar *const *s = gone ? gone->scalars : NULL; s && *s; s++)
+    {
+        loses |= !(*s)->fluid_entry && dem_interaction_table_find_scalar(r, (*s)->name) < 0;
+    }
+    return loses;
+}
+
 static int tell(struct comparison *c, const struct dem_scene_line *was,
                 const struct dem_scene_line *is)
 {
     const enum dem_line_change change =
         was && is ? DEM_LINE_CHANGED : is ? DEM_LINE_NEW : DEM_LINE_GONE;
     const struct dem_scene_line *const l = is ? is : was;
-    const char *const becomes = dem_scene_line_becomes(is ? &c->now : &c->before, l, change);
+    const char *const becomes =
+        change == DEM_LINE_GONE && loses_scalars(&c->c->d->state.interaction_table, l)
+            ? "it applies no longer; its particle scalars are lost, and begin at the scene's values when it is back"
+            : dem_scene_line_becomes(is ? &c->now : &c->before, l, change);
 
     DEM_TRY(remember_form(c->c, l));
     if (is_left_out(c, l, change))

@@ -147,6 +147,19 @@ static struct dem_wall_before find_motion(const char *text, const struct dem_sna
     return was;
 }
 
+/* A hinge that goes on would be put between narrower stops in one step. */
+static int refuse_beyond_stops(const struct dem_wall *of, const struct dem_wall_body *b)
+{
+    static const double rounding = 1e-9;
+
+    DEM_REQUIRE(!b || b->kind != DEM_WALL_BODY_HINGE
+                    || (b->state.q[0] >= b->stops[0] - rounding && b->state.q[0] <= b->stops[1] + rounding),
+                DEM_ERROR_INPUT,
+                "walls/%s/motion/stops (%g %g) rad, but in the snapshot the hinge has turned by %.9g rad; give stops "
+                "with this angle between them", of->name, b->stops[0], b->stops[1], b->state.q[0]);
+    return DEM_OK;
+}
+
 int dem_sim_resume_walls(struct dem_case *c)
 {
     struct dem_walls *const w = &c->d->state.walls;
@@ -168,6 +181,7 @@ int dem_sim_resume_walls(struct dem_case *c)
                          : DEM_OK);
             const struct dem_wall_body *const b = dem_walls_body(w, k);
 
+            DEM_TRY(refuse_beyond_stops(&w->wall[k], b));
             DEM_TRY(b && b->state.loaded > 0.0
                         ? dem_sim_note(c->d, "restart: wall %s has the load that the program has set, not the "
                                        "scene's", was->name)

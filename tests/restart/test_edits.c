@@ -427,6 +427,50 @@ static void broken_bond(void)
     dem_free(d);
 }
 
+/* ---- what particles lose or keep -------------------------------------------------------------- */
+
+#define WARM(effects, ratio, warm) \
+    "materials { glass { density 2500; youngsModulus 1e7; conductivity 1; heatCapacity 800; } } effects { hertz {} " effects \
+    "} parcels { ratio " ratio "; } insert { a { type list; diameter 1e-3; " warm "positions ((0 0 0)); } } "
+
+static void scalars(void)
+{
+    struct dem *d = start(WARM("conduction {} ", "2", "temperature 300; "));
+
+    WORLD_TRY(dem_save(d, file));
+    dem_free(d);
+    d = resume(WARM("", "3", ""), 0, NULL);
+    TAP_OK(says(d, "effects/conduction is gone: it applies no longer; its particle scalars are lost"),
+           "the temperatures of a law that is taken out are lost, and the sentence has it");
+    TAP_OK(says(d, "parcels/ratio was 2, now 3: parcels of the snapshot keep their ratio")
+               && world_scalar(d, "parcelRatio", 0) == 2.0, "parcels keep their ratio");
+    dem_free(d);
+}
+
+/* A hinge leans on its upper stop. */
+static void stops(void)
+{
+    static const char flap[] =
+        "materials { m { density 2500; youngsModulus 1e7; } } effects { hertz {} dry { restitution 0.5; } } walls { flap { "
+        "type triangles; corners ((0 -0.02 0) (0 0.02 0) (0.05 0 0)); motion { type hinge; origin (0 0 0); axis (0 1 0); "
+        "inertia 3e-5; torque 1e-2; stops (-0.5 0.01); } } } time { step 1e-5; }";
+    static const char *const narrow[][2] = {{"walls/flap/motion/stops", "(-0.5 0)"}},
+                      *const wide[][2] = {{"walls/flap/motion/stops", "(-0.5 0.02)"}};
+    struct dem *d = start(flap);
+
+    world_run(d, 0.1);
+    WORLD_TRY(dem_save(d, file));
+    dem_free(d);
+    TAP_OK(load(&d, flap, 1, narrow) == DEM_ERROR_INPUT && strstr(dem_error_text(), "stops (-0.5 0) rad")
+               && strstr(dem_error_text(), "turned by 0.01 rad"),
+           "stops that would snap a hinge back are refused: %s", dem_error_text());
+    dem_free(d);
+    d = resume(flap, 1, wide);
+    world_run(d, 0.1);
+    TAP_OK(dem_wall_count(d) == 1, "wider ones apply");
+    dem_free(d);
+}
+
 /* ---- all else -------------------------------------------------------------------------------- */
 
 static void entries(void)
@@ -493,6 +537,8 @@ int main(void)
     history();
     wall_in_soft_bed();
     broken_bond();
+    scalars();
+    stops();
     entries();
     remove(file);
     TAP_DONE;
