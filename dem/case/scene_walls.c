@@ -251,6 +251,9 @@ static int read_wall(void *context, const struct dem_dict *dict)
         w->absorbing += absorb;
         DEM_TRY(read_wear(dict, &w->wall[k]));
         w->wearing += w->wall[k].wear > 0.0;
+        DEM_REQUIRE(!absorb || !dem_dict_has(dict, "wear"), DEM_ERROR_INPUT,
+                    "%s: wall %s absorbs particles, which have no contact with it, so it does not wear; take out "
+                    "absorb or wear", dem_dict_where(dict), w->wall[k].name);
         DEM_TRY(dem_scalar_wall_read(dict, reader->interaction_table, &w->wall[k]));
         DEM_TRY(read_presence(w, &w->wall[k], dict));
         DEM_TRY(dem_scene_read_motion(w, k, dict));

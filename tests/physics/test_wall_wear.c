@@ -143,5 +143,8 @@ int main(void)
     world_refused("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} } "
                   "walls { w { type triangles; corners ((0 0 0) (1 0 0) (0 1 0)); wear { coefficient 1; hardness 0; } } }",
                   "give numbers above 0");
+    world_refused("materials { glass { density 2500; youngsModulus 1e7; poissonsRatio 0.3; } } effects { hertz {} } walls { "
+                  "w { type triangles; corners ((0 0 0) (1 0 0) (0 1 0)); absorb yes; wear { coefficient 1; hardness 1; } } }",
+                  "wall w absorbs particles");
     TAP_DONE;
 }
