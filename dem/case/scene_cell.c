@@ -84,6 +84,9 @@ int dem_scene_read_cell(struct dem_cell *c, struct dem_domain *d, const struct d
     DEM_REQUIRE(c->active, DEM_ERROR_INPUT,
                 "%s: domain/cell has none of xx, yy, zz, xy; give one, like zz { rate -0.1; }",
                 dem_dict_where(dict));
+    DEM_REQUIRE(held || !dem_dict_has(dict, "maxRate"), DEM_ERROR_INPUT,
+                "%s: domain/cell/maxRate limits the rates with which stresses are held, but no axis has a stress; "
+                "give one, like xx { stress -1e4; }, or remove maxRate", dem_dict_where(dict));
     DEM_TRY(held ? dem_dict_number(dict, "maxRate", "1/s", &c->max_rate) : DEM_OK);
     DEM_REQUIRE(!held || (c->max_rate > 0.0 && isfinite(c->max_rate)), DEM_ERROR_INPUT,
                 "%s: domain/cell/maxRate %g 1/s; give the largest rate with which a stress may be "

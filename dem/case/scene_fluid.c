@@ -5,7 +5,10 @@
  */
 #include "core/error.h"
 #include "case/scene_internal.h"
+#include "laws/effects.h"
 #include <float.h>
+#include <stdio.h>
+#include <string.h>
 
 /* Entries that only some effects need; without such an effect they are refused as unread. */
 static int read_fluid_derivatives(struct dem_uniform_fluid *f, const struct dem_dict *dict,
@@ -35,10 +38,51 @@ static int read_fluid_derivatives(struct dem_uniform_fluid *f, const struct dem_
              : DEM_OK;
 }
 
+static int uses(const struct dem_effect *effect, const char *entry)
+{
+    int found = 0;
+
+    for (const struct dem_scalar *const *s = effect->scalars; s && *s; s++)
+    {
+        found |= (*s)->fluid_entry && strcmp((*s)->fluid_entry, entry) == 0;
+    }
+    return found;
+}
+
+/* A value that no effect of the scene reads. */
+static int refuse_unused(const struct dem_dict *dict, const struct dem_interaction_table *r)
+{
+    for (size_t k = 0; k < dem_dict_count(dict); k++)
+    {
+        const struct dem_entry *const e = dem_dict_entry(dict, k);
+        char effects[256] = "";
+        int used = strcmp(dem_entry_name(e), "viscosity") == 0;
+
+        for (int m = 0; m < r->chosen; m++)
+        {
+            used |= uses(r->effect[m], dem_entry_name(e));
+        }
+        for (int m = 0; !used && dem_effects[m]; m++)
+        {
+            const size_t n = strlen(effects);
+
+            if (uses(dem_effects[m], dem_entry_name(e)))
+            {
+                snprintf(effects + n, sizeof effects - n, "%s%s", n > 0 ? ", " : "", dem_effects[m]->name);
+            }
+        }
+        DEM_REQUIRE(!*effects, DEM_ERROR_INPUT,
+                    "%s: fluid/%s acts only with one of these effects: %s; add one, or remove the entry",
+                    dem_entry_where(e), dem_entry_name(e), effects);
+    }
+    return DEM_OK;
+}
+
 /* Values of the fluid that are scalars of the effects. */
 static int read_fluid_scalars(struct dem_uniform_fluid *f, const struct dem_dict *dict,
                               const struct dem_interaction_table *r)
 {
+    DEM_TRY(refuse_unused(dict, r));
     for (int k = 0; k < r->scalars; k++)
     {
         const struct dem_scalar *const s = r->scalar[k];

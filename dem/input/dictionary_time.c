@@ -12,6 +12,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum
@@ -55,6 +56,15 @@ static int find_stage(const struct dem_dict *stages, const struct dem_entry *e, 
                             dem_entry_where(e), e->name);
 }
 
+/* inf and nan are numbers, too */
+static bool is_number(const char *word)
+{
+    char *end;
+
+    (void)strtod(word, &end);
+    return *end == '\0';
+}
+
 int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback, double *value,
                      int *stage)
 {
@@ -63,6 +73,9 @@ int dem_dict_time_or(const struct dem_dict *d, const char *name, double fallback
     const char *word = e && dem_entry_tokens(e) == 1 ? e->tokens[0].text : "";
 
     *stage = 0;
+    DEM_REQUIRE(stages || !isalpha((unsigned char)word[0]) || is_number(word), DEM_ERROR_INPUT,
+                "%s: %s: stage %s, but the scene has no stages; give a time in s, or add stages { %s { duration 1; } }",
+                dem_entry_where(e), name, word, word);
     if (!stages || !isalpha((unsigned char)word[0]))
     {
         return dem_dict_number_or(d, name, "s", fallback, value);

@@ -420,6 +420,7 @@ static void test_refusals(void)
         {"domain { z (0 1); cell { zz { rate 1; } } }", "not periodic along z"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; stress 1; } } }", "both of rate"},
         {"domain { z (0 1); periodic (z); cell { zz { stress 1; } } }", "maxRate"},
+        {"domain { z (0 1); periodic (z); cell { zz { rate 1; } maxRate 1; } }", "no axis has a stress"},
         {"domain { z (0 1); periodic (z); cell { } }", "none of xx, yy, zz, xy"},
         {"domain { y (0 1); periodic (y); cell { xy { rate 1; } } }", "not periodic along x and y"},
         {"domain { z (0 1); periodic (z); cell { zz { rate 1; } } } walls { w { type plane; material glass; point (0 "

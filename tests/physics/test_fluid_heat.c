@@ -273,7 +273,7 @@ static void test_input(void)
     refused("gunn { }", "temperature 300; conductivity 0.026;", "", "heatCapacity");
     refused("gunn { }", "temperature 0; conductivity 0.026; heatCapacity 1007;", "",
             "temperature 0 K");
-    refused("", whole, "", "temperature");
+    refused("", whole, "", "fluid/temperature acts only with one of these effects: gunn, ranzMarshall, wakao;");
     refused("gunn { }", whole, "fluidTemperature 300;", "fluidTemperature");
     give_fluid(&q);
     TAP_OK(dem_advance(q.d, 1e-6) == DEM_ERROR_INPUT &&

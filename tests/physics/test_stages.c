@@ -318,6 +318,7 @@ static void test_left(void)
 static void test_refusals(void)
 {
     static const char *const cases[][2] = {
+        {"walls { " FLOOR "until b; } }", "until: stage b, but the scene has no stages"},
         {"stages { a { duration 1; } } walls { " FLOOR "until b; } }", "unknown stage \"b\""},
         {"stages { a { duration 1; } } walls { " FLOOR "from a; until a; } }", "give a later one"},
         {"stages { a { } b { } }", "never begins"},
