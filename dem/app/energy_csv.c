@@ -148,6 +148,13 @@ int dem_energy_log_append(struct dem_energy_log *log, const struct dem_program *
     }
     DEM_TRY(dem_energy(d, &r.since, &r.n, &r.item));
     take_balances(&r, &mechanical, &heat);
+    if (heat.largest > 0.0)
+    {
+        double stored;
+
+        DEM_TRY(dem_scalar_total(d, dem_scalar_index(d, "temperature"), &stored));
+        log->stored_heat = fmax(log->stored_heat, stored);
+    }
     update_extreme(&log->mechanical, &mechanical);
     update_extreme(&log->heat, &heat);
     if (prog->rank == 0)
@@ -166,7 +173,8 @@ void dem_energy_log_print(const struct dem_energy_log *log, const struct dem_pro
     {
         printf("energy: largest residual %.3g J at t %.6g s, %.2g %% of the largest term, %.4g J\n",
                m->residual, m->when, m->largest > 0.0 ? 100.0*fabs(m->residual)/m->largest : 0.0, m->largest);
-        if (h->largest > 0.0)
+        /* less is rounding of temperatures */
+        if (h->largest > 1e-12*log->stored_heat)
         {
             printf("heat: content and supply differ by %.3g J at t %.6g s, %.2g %% of the largest term, %.4g J\n",
                    h->residual, h->when, 100.0*fabs(h->residual)/h->largest, h->largest);

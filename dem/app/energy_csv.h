@@ -24,6 +24,7 @@ struct dem_energy_log
     struct dem_table table;
     double interval;                 /* s  0: no rows */
     struct dem_energy_extreme mechanical, heat;
+    double stored_heat;              /* J  largest heat above 0 K */
     double before, then;             /* J, s  mechanical residual and time of the last row */
 };
 
