@@ -155,9 +155,17 @@ Foam::demParticleBudget::sums Foam::demParticleBudget::sumParticles(const demFlo
 }
 
 
+bool Foam::demParticleBudget::countsPassed() const
+{
+    const demInletsOutlets& passages = particles_.inletsOutlets();
+
+    return budget_.on() && (passages.active() || passages.insideMesh());
+}
+
+
 void Foam::demParticleBudget::beforePassing(const demFlow& flow)
 {
-    if (budget_.on() && particles_.inletsOutlets().active())
+    if (countsPassed())
     {
         before_ = sumParticles(flow);
     }
@@ -166,7 +174,7 @@ void Foam::demParticleBudget::beforePassing(const demFlow& flow)
 
 void Foam::demParticleBudget::countPassed(const demFlow& flow)
 {
-    if (budget_.on() && particles_.inletsOutlets().active())
+    if (countsPassed())
     {
         const sums now(sumParticles(flow));
 
