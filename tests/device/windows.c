@@ -176,7 +176,7 @@ int main(int argc, char **argv)
 
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    struct dem *const d = start(argc > 1 ? argv[1] : "windows.dem", argc > 2 ? argv[2] : "");
+    struct dem *const d = start(argc > 1 ? argv[1] : "windows.in", argc > 2 ? argv[2] : "");
 
     for (int window = 1; window <= WINDOWS; window++)
     {
