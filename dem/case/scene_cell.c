@@ -230,8 +230,9 @@ static int refuse_taken(const struct dem *d, const char *path)
     const double *const length = d->state.domain.length;
 
     return dem_error_prefix(dem_cell_refuse(d), "%s: its cell has deformed to lengths of %.9g, %.9g and %.9g m (0: "
-                            "not periodic), which stay as with domain/cell { xx { rate 0; } }; for a domain that is fixed "
-                            "give it these lengths in a new run with start { snapshot; }: ", path, length[0], length[1], length[2]);
+                            "not periodic), which stay as with domain/cell { xx { rate 0; } }; for a domain that is "
+                            "fixed give it these lengths in a new run with start { snapshot; }: ", path, length[0],
+                            length[1], length[2]);
 }
 
 int dem_cell_resume(struct dem *d, const char *path)

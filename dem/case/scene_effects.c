@@ -219,7 +219,8 @@ static int refuse_twice(const struct dem_interaction_table *r, const struct dem_
     {
         for (size_t one = 0; one < two; one++)
         {
-            DEM_TRY(refuse_both(r, dem_entry_dict(dem_dict_entry(pairs, one)), dem_entry_dict(dem_dict_entry(pairs, two))));
+            DEM_TRY(refuse_both(r, dem_entry_dict(dem_dict_entry(pairs, one)),
+                                dem_entry_dict(dem_dict_entry(pairs, two))));
         }
     }
     return DEM_OK;

@@ -215,7 +215,8 @@ static int is_of_cell(const struct dem_scene_line *l)
 {
     char part[64];
 
-    return strcmp(dem_scene_line_part(l, 0, part), "domain") == 0 && strcmp(dem_scene_line_part(l, 1, part), "cell") == 0
+    return strcmp(dem_scene_line_part(l, 0, part), "domain") == 0
+        && strcmp(dem_scene_line_part(l, 1, part), "cell") == 0
         && !dem_scene_line_part(l, 3, part)[0] && (!dem_scene_line_part(l, 2, part)[0] || strlen(part) == 2);
 }
 
