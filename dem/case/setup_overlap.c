@@ -143,7 +143,7 @@ int dem_sim_check_start(struct dem_case *c)
     int count = 0, status = DEM_OK;
     char *others;
 
-    DEM_TRY(DEM_NEW(others, walls));
+    DEM_TRY(dem_sim_agree(c->d, DEM_NEW(others, walls)));
     for (int k = 0; k < walls; k++)
     {
         others[k] = c->new_run || (c->load_path[0] && !dem_sim_wall_goes_on(c, k));
