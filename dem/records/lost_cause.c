@@ -187,7 +187,7 @@ void dem_lost_cause_outside(const struct dem_state *state, size_t i, char cause[
 {
     cause[0] = 0;
     append_side(&state->domain, &state->particles.record[i], cause);
-    if (state->lists_state != DEM_NEIGHBORS_NONE)
+    if (state->lists_state != DEM_NEIGHBORS_NONE && !state->contacts_on_device)
     {
         append_wall(state, i, cause);
         append_reason(state, i, DEM_ROW_NONE, cause);
