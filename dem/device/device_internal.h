@@ -182,7 +182,7 @@ void dem_device_leave_walls(struct dem_state *, const struct dem_device_steps *)
 
 /* device_sums.c: exact sums of a batch of steps, of loads on walls and of the energy balance, if they are
    asked for. Begin with zero; the arguments of the kernel of walls, and its launch in step s; add the sums
-   to the host's, those of loads to `loads`. has_wall_work: 1 when the work of walls that move is summed. */
+   to the host's; `loads` takes the forces on walls. has_wall_work: 1 when the work of walls that move is summed. */
 int dem_device_begin_sums(struct dem_device *, const struct dem_state *, struct dem_device_batch *);
 int dem_device_give_loads(struct dem_device *);
 int dem_device_launch_loads(struct dem_device *, const struct dem_state *, uint32_t s);

@@ -74,7 +74,7 @@ struct dem_device_steps
     /* called before each batch of steps, by all ranks; end: 1 to end here */
     int (*ends)(struct dem_state *, int64_t made, int *end);
     int64_t made;             /* result: 0: the host has to make the first one */
-    int lists;                /* result: 1: lists were made, so that ghosts and marks of walls are no longer the host's */
+    int lists;                /* result: 1: lists were made; ghosts and marks of walls are theirs, not the host's */
     const double *speed;      /* m/s  largest of each drift, one for each step made; rounded up */
 };
 
@@ -99,6 +99,6 @@ int dem_device_save_wall_forces(struct dem_state *);
    between: 1: between two windows; the next half kick needs wall forces, which are saved. */
 int dem_device_return_contacts(struct dem_state *, int between);
 
-/* Contacts of a backup that stay on the device, and when the backup is put back. */
+/* Copy the contacts for a backup, if they are on the device; give them to the host when the backup is restored. */
 int dem_device_backup(struct dem_state *);
 int dem_device_restore(struct dem_state *);

@@ -3,8 +3,8 @@
  *
  * The device makes the last step of a window, too. The host gets the particles and the sums of their contact forces,
  * which the first half kick of the next window needs. It has no contact rows then, though its lists count as valid
- * (dem_state.contacts_on_device): ghosts are those of the device's lists. dem_device_return_contacts brings the history
- * back, as saved history: before a snapshot, a hash, an edit or arrivals and departures between windows
+ * (dem_state.contacts_on_device), and its ghosts belong to the device's lists. dem_device_return_contacts brings the
+ * history back, as saved history: before a snapshot, a hash, an edit or arrivals and departures between windows
  * (dem/run), and in a step that the host makes (neighbor_update.c).
  *
  * SPDX-License-Identifier: GPL-3.0-or-later
@@ -19,7 +19,7 @@
 #include <string.h>
 
 /* Energies, bonds and rows of all contacts are read on the host after that step, and so is the work of walls that
-   move. */
+   move or are curved, as wall_statistics.c sums it. */
 int dem_device_makes_last_step(const struct dem_state *state)
 {
     return state->device->keeps && dem_column(&state->particles, DEM_COLUMN_FLUID_VELOCITY) &&
@@ -158,10 +158,7 @@ int dem_device_backup(struct dem_state *state)
 {
     struct dem_device *const d = state->device;
 
-    if (d)
-    {
-        d->backup.list.rows = 0;
-    }
+    d->backup.list.rows = 0;
     if (!state->contacts_on_device)
     {
         return DEM_OK;
@@ -188,7 +185,7 @@ int dem_device_restore(struct dem_state *state)
     struct dem_device *const d = state->device;
 
     state->contacts_on_device = 0;
-    if (!d || d->backup.list.rows == 0)
+    if (d->backup.list.rows == 0)
     {
         return DEM_OK;
     }

@@ -47,9 +47,9 @@ int dem_case_exchange_scalar(struct dem_case *, const char *name);
    streams and outlets act in dem_flow_apply only, and the scene may name patches of a mesh. */
 int dem_case_flows_on_request(struct dem_case *);
 
-/* Collective, after dem_start. Contacts may stay on the device of the run (dem_query.h) between two advances: it makes the last
-   step of an advance, too, and only particles are copied to the host. The sums of
-   dem_wall_impulse begin. Without a device, or where the host has to make that step, nothing changes. */
+/* Collective, after dem_start. Contacts may stay on the device of the run (dem_query.h) between two advances: it makes
+   the last step of an advance, too, and only particles are copied to the host. The sums of dem_wall_impulse begin.
+   Without a device, or where the host has to make that step, nothing changes. */
 int dem_device_keep_contacts(struct dem *);
 
 /* Collective, before dem_case_check, for each patch of the scene's `insert`. A patch through which

@@ -161,7 +161,7 @@ static void count_made(struct dem_state *state, const struct dem_device_steps *s
     state->next_drift.max_speed = steps->speed[steps->made - 1];
 }
 
-/* lists: 1 when the device has made lists; those of the host, if it has any, do not serve any more. */
+/* lists: 1 when the device has made lists, so that the host has to make new ones for its next step. */
 static int make_steps(struct dem_state *state, int64_t first, int64_t *made, int *lists)
 {
     const int last = dem_device_makes_last_step(state) &&

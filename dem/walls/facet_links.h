@@ -1,5 +1,5 @@
 /*
- * facet_links.h -- union-find of triangles: those of one root are one facet.
+ * facet_links.h -- union-find of triangles: triangles with the same root form one facet.
  *
  * Along periodic axes triangles also meet images of others. Each image has an offset, a number of
  * periods, and union-find adds up the offsets along its links. A facet that meets itself a period away

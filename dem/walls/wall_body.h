@@ -74,7 +74,7 @@ enum dem_wall_body_summed
 {
     DEM_WALL_BODY_UNKNOWN,        /* the sums, before the first sweep */
     DEM_WALL_BODY_KICKED,         /* known, and the velocity of a servo follows from them */
-    DEM_WALL_BODY_SWEPT           /* known, the velocity is that of the sweep */
+    DEM_WALL_BODY_SWEPT           /* known; the velocity has not been updated since the sweep */
 };
 
 /* doubles only: a snapshot stores them as they are */

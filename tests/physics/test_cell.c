@@ -408,7 +408,7 @@ static void test_new_run(void)
            "a domain of other lengths keeps them, with a warning: %.9g m", length_of(d));
     dem_free(d);
     d = start_from(world_text("x (0 %.9g); y (0 0.006); z (0 %.9g);", was.length[0], was.length[2]));
-    TAP_OK(!dem_has_cell(d) && warns(d, "displaced by"), "a domain of these lengths is fixed; the offset is told");
+    TAP_OK(!dem_has_cell(d) && warns(d, "displaced by"), "a domain of these lengths is fixed; a warning names the offset");
     dem_free(d);
 }
 
